@@ -1,0 +1,33 @@
+#pragma once
+
+#include <duskline/casting/ray.h>
+#include <duskline/casting/shadow_mask.h>
+#include <duskline/execution/progress.h>
+
+#include <array>
+#include <string_view>
+
+namespace duskline {
+
+/// One way to find shadows. The command line, the tests, the benchmarks and the docs iterate over
+/// `kCasters`: a new technique is a new file and one row.
+struct Caster {
+    std::string_view name;        ///< as typed after --caster
+    std::string_view description; ///< one line for --help and the docs
+    std::string_view source;      ///< where the method comes from
+    bool exact;                   ///< agrees with `ray` cell for cell, but for ties within float rounding
+
+    ShadowMask (*cast)(const HeightField&, const DirectionalLight&, const Execution&);
+    ShadowField (*shadow_heights)(const HeightField&, const DirectionalLight&, const Execution&);
+};
+
+/// Every caster there is, the reference first.
+inline constexpr std::array kCasters = {
+    Caster{"ray", "march every cell towards the light in double precision; slow, the reference",
+           "the definition of a shadow on the grid-line surface", true, cast_by_ray, shadow_heights_by_ray},
+};
+
+/// The caster of that name. Throws InvalidInput, listing the names there are.
+const Caster& caster_named(std::string_view name);
+
+} // namespace duskline

@@ -1,0 +1,57 @@
+#include <duskline/casting/shadow_mask.h>
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace duskline {
+
+namespace {
+
+// A grid of what `value(row, column)` says for every cell with data and `no_data` elsewhere.
+template <typename T, typename Value>
+Grid<T> where_data(const HeightField& field, T no_data, const Value& value)
+{
+    Grid<T> result(field.rows(), field.columns());
+    for (std::size_t y = 0; y < field.rows(); ++y) {
+        const auto heights = field.heights_m.row(y);
+        const auto out = result.row(y);
+        for (std::size_t x = 0; x < heights.size(); ++x)
+            out[x] = std::isnan(heights[x]) ? no_data : value(y, x);
+    }
+    return result;
+}
+
+} // namespace
+
+std::optional<Lit> uniform_answer(const DirectionalLight& light)
+{
+    if (light.altitude.degrees() <= 0.0)
+        return Lit::no;
+    if (light.altitude.degrees() >= 90.0)
+        return Lit::yes;
+    return std::nullopt;
+}
+
+ShadowMask uniform_mask(const HeightField& field, Lit answer)
+{
+    return where_data(field, Lit::unknown, [answer](std::size_t, std::size_t) { return answer; });
+}
+
+ShadowField uniform_shadow_heights(const HeightField& field, Lit answer)
+{
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const float height_m = answer == Lit::no ? infinity : -infinity;
+    return where_data(field, std::numeric_limits<float>::quiet_NaN(),
+                      [height_m](std::size_t, std::size_t) { return height_m; });
+}
+
+ShadowMask mask_of(const HeightField& field, const ShadowField& shadow_heights_m)
+{
+    assert(shadow_heights_m.rows() == field.rows() && shadow_heights_m.columns() == field.columns());
+    return where_data(field, Lit::unknown, [&](std::size_t y, std::size_t x) {
+        return field.heights_m(y, x) >= shadow_heights_m(y, x) ? Lit::yes : Lit::no;
+    });
+}
+
+} // namespace duskline

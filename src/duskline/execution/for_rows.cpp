@@ -1,0 +1,80 @@
+#include <duskline/execution/for_rows.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+
+namespace duskline {
+
+namespace {
+
+// Counts finished pieces and passes their share on, one call at a time.
+class PieceCounter {
+public:
+    PieceCounter(std::size_t count, const ProgressCallback& report) : count_(count), report_(report) {}
+
+    void finished(std::size_t pieces)
+    {
+        if (!report_)
+            return;
+        const std::scoped_lock lock(mutex_);
+        done_ += pieces;
+        if (cancelled_ || !report_(static_cast<double>(done_) / static_cast<double>(count_))) {
+            cancelled_ = true;
+            throw Cancelled();
+        }
+    }
+
+private:
+    const std::size_t count_;
+    const ProgressCallback& report_;
+    std::mutex mutex_;
+    std::size_t done_ = 0;
+    bool cancelled_ = false;
+};
+
+} // namespace
+
+std::size_t thread_count(const Execution& execution)
+{
+    const auto available = static_cast<std::size_t>(std::max(1, tbb::info::default_concurrency()));
+    return execution.threads == 0 ? available : execution.threads;
+}
+
+void for_rows(std::size_t count, std::size_t piece, const Execution& execution,
+              const std::function<void(std::size_t first, std::size_t last)>& work)
+{
+    if (count == 0)
+        return;
+    piece = std::max<std::size_t>(piece, 1);
+    PieceCounter counter(count, execution.progress);
+    const auto do_piece = [&](std::size_t first) {
+        const std::size_t last = std::min(first + piece, count);
+        work(first, last);
+        counter.finished(last - first);
+    };
+
+    const std::size_t pieces = (count + piece - 1) / piece;
+    const std::size_t threads = std::min(thread_count(execution), pieces);
+    if (threads == 1) {
+        for (std::size_t i = 0; i < pieces; ++i)
+            do_piece(i * piece);
+        return;
+    }
+    tbb::task_arena arena(static_cast<int>(threads));
+    arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, pieces, 1),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+                for (std::size_t i = range.begin(); i != range.end(); ++i)
+                    do_piece(i * piece);
+            },
+            tbb::simple_partitioner());
+    });
+}
+
+} // namespace duskline
