@@ -7,10 +7,9 @@ namespace duskline {
 
 /// Parallel light, as from the sun.
 ///
-///   azimuth           *towards* the light, clockwise from the grid's north; any finite value, taken modulo
-///   360 altitude          above the horizontal, -90 to 90 degrees; at or below 0 nothing is lit
-///   angular_diameter  of the light's disc, 0 to 180 degrees; the sun's mean by default. Hard shadows take
-///   the
+///   azimuth           *towards* the light, clockwise from the grid's north; any finite value, taken modulo 360
+///   altitude          above the horizontal, -90 to 90 degrees; at or below 0 nothing is lit
+///   angular_diameter  of the light's disc, 0 to 180 degrees; the sun's mean by default. Hard shadows take the
 ///                     centre of the disc.
 struct DirectionalLight {
     Angle azimuth = Angle::from_degrees(315.0);
