@@ -1,0 +1,35 @@
+# Builds a foreign project that uses Duskline, runs its program and looks at what it prints.
+#
+# cmake -D CXX=compiler -D BINARY=folder and either
+#   -D SOURCE=folder [-D OPTIONS=list]   a CMake project, configured with these options, or
+#   -D PKG_CONFIG=program -D PREFIX=...  the consumer by pkg-config from that prefix
+# -P consume.cmake
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nended with ${result}:\n${output}")
+  endif()
+  set(output ${output} PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${BINARY})
+file(MAKE_DIRECTORY ${BINARY})
+if(SOURCE)
+  run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BINARY} -G Ninja -DCMAKE_CXX_COMPILER=${CXX} ${OPTIONS})
+  run(${CMAKE_COMMAND} --build ${BINARY} --target consumer)
+else()
+  file(GLOB_RECURSE package ${PREFIX}/*/duskline.pc)
+  get_filename_component(package_dir ${package} DIRECTORY)
+  get_filename_component(library_dir ${package_dir} DIRECTORY)
+  set(ENV{PKG_CONFIG_PATH} ${package_dir})
+  run(${PKG_CONFIG} --cflags --libs duskline)
+  separate_arguments(flags UNIX_COMMAND "${output}")
+  run(${CXX} -std=c++20 ${CMAKE_CURRENT_LIST_DIR}/consumer/main.cpp -o ${BINARY}/consumer ${flags}
+    -Wl,-rpath,${library_dir})
+endif()
+
+run(${BINARY}/consumer)
+if(NOT output MATCHES "^([a-z_]+: 10 cells\n)+$")
+  message(FATAL_ERROR "the consumer should print ten cells for every caster, and printed\n${output}")
+endif()
