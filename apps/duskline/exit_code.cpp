@@ -1,0 +1,50 @@
+#include "exit_code.h"
+
+#include "interruption.h"
+
+#include <duskline/execution/progress.h>
+#include <duskline/geometry/invalid_input.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+#include <string>
+
+namespace duskline::cli {
+namespace {
+
+int fail(ExitCode code, std::string text) noexcept
+{
+    // Libraries may pass on texts of several lines; an error is one line.
+    std::ranges::replace(text, '\n', ' ');
+    std::fprintf(stderr, "duskline: %s\n", text.c_str());
+    return static_cast<int>(code);
+}
+
+} // namespace
+
+int report_failure() noexcept
+{
+    try {
+        throw;
+    } catch (const Cancelled&) {
+        fail(ExitCode::failed, "interrupted; nothing was written");
+        return exit_code_of_interruption();
+    } catch (const UsageError& error) {
+        return fail(ExitCode::usage, error.what());
+    } catch (const InvalidInput& error) {
+        return fail(ExitCode::usage, error.what());
+    } catch (const StandardOutputError& error) {
+        return fail(ExitCode::output, error.what());
+    } catch (const UnsupportedOnThisMachine& error) {
+        return fail(ExitCode::resources, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::resources, "out of memory");
+    } catch (const std::exception& error) {
+        return fail(ExitCode::failed, error.what());
+    } catch (...) {
+        return fail(ExitCode::failed, "failed for an unknown reason");
+    }
+}
+
+} // namespace duskline::cli

@@ -1,0 +1,112 @@
+#include "command_line.h"
+
+#include <gmock/gmock.h>
+
+namespace duskline::cli_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class CommandLineFrame : public CommandLineTest {};
+
+TEST_F(CommandLineFrame, SaysItsVersion)
+{
+    const Finished finished = run({"--version"});
+    EXPECT_EQ(finished.exit_code, 0);
+    EXPECT_EQ(finished.out, "duskline " DUSKLINE_VERSION "\n");
+    EXPECT_EQ(finished.err, "");
+}
+
+TEST_F(CommandLineFrame, HelpGoesToStandardOutputAndListsTheCommands)
+{
+    const Finished finished = run({"--help"});
+    EXPECT_EQ(finished.exit_code, 0);
+    EXPECT_EQ(finished.err, "");
+    EXPECT_THAT(finished.out, HasSubstr("Usage: duskline COMMAND [options]"));
+    EXPECT_THAT(finished.out, HasSubstr("\n  sun "));
+}
+
+TEST_F(CommandLineFrame, HelpOfACommandShowsUnitsRangesAndDefaults)
+{
+    const Finished finished = run({"sun", "--help"});
+    EXPECT_EQ(finished.exit_code, 0);
+    EXPECT_THAT(finished.out, StartsWith("duskline sun: "));
+    EXPECT_THAT(finished.out, HasSubstr("--time TIME"));
+    EXPECT_THAT(finished.out, HasSubstr("Examples:"));
+}
+
+TEST_F(CommandLineFrame, HelpFitsEightyColumns)
+{
+    for (const char* command : {"sun"}) {
+        std::istringstream lines(run({command, "--help"}).out);
+        for (std::string line; std::getline(lines, line);)
+            EXPECT_TRUE(line.size() <= 80 || line.starts_with("  duskline ")) << command << ": " << line;
+    }
+}
+
+struct WrongUsage {
+    Arguments arguments;
+    const char* says;
+};
+
+void PrintTo(const WrongUsage& wrong, std::ostream* out)
+{
+    *out << "duskline";
+    for (const std::string& argument : wrong.arguments)
+        *out << ' ' << argument;
+}
+
+class CommandLineUsage : public CommandLineTest, public ::testing::WithParamInterface<WrongUsage> {};
+
+TEST_P(CommandLineUsage, IsRefusedOnOneLineWithCode2)
+{
+    const Finished finished = run(GetParam().arguments);
+    EXPECT_EQ(finished.exit_code, 2);
+    EXPECT_TRUE(is_one_error_line(finished.err));
+    EXPECT_THAT(finished.err, HasSubstr(GetParam().says));
+    EXPECT_EQ(finished.out, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Wrong, CommandLineUsage,
+    ::testing::Values(WrongUsage{{}, "give a command: "}, //
+                      WrongUsage{{"shdow"}, "no command is called 'shdow'; there are: "},
+                      WrongUsage{{"--verson"}, "no option is called '--verson' (see duskline --help)"},
+                      WrongUsage{{"sun", "--tiem", "now"},
+                                 "no option is called '--tiem' (see duskline sun --help)"},
+                      WrongUsage{{"sun", "-q", "-v"}, "--quiet"}, //
+                      WrongUsage{{"sun", "--time"}, "--time"},
+                      WrongUsage{{"sun", "--json=perhaps", "--time", "2026-06-21T12:00Z"}, "json"}));
+
+TEST_F(CommandLineFrame, ManualPagesNameEveryOptionOfTheHelp)
+{
+    const std::string page = run({"sun", "--man-page"}).out;
+    EXPECT_THAT(page, StartsWith(".TH \"DUSKLINE-SUN\" 1"));
+    for (const char* part : {".SH EXIT STATUS", ".SH EXAMPLES", "\\-\\-time", "\\-\\-json", "\\-\\-quiet"})
+        EXPECT_THAT(page, HasSubstr(part));
+}
+
+TEST_F(CommandLineFrame, ManualPagesRenderWithoutComplaint)
+{
+    if (run_program({"sh", "-c", "command -v groff"}).exit_code != 0)
+        GTEST_SKIP() << "groff is not installed";
+    for (const char* command : {"", "sun"}) {
+        const Finished finished = run_program(
+            {"sh", "-c",
+             std::string("\"$DUSKLINE\" ") + command + " --man-page | groff -man -Tutf8 -P-cbou -ww"});
+        EXPECT_EQ(finished.exit_code, 0) << command;
+        EXPECT_EQ(finished.err, "") << command;
+        EXPECT_THAT(finished.out, HasSubstr("EXIT STATUS")) << command;
+    }
+}
+
+TEST_F(CommandLineFrame, AFullStandardOutputIsAnError)
+{
+    const Finished finished = run_program({"sh", "-c", "\"$DUSKLINE\" --help > /dev/full"});
+    EXPECT_EQ(finished.exit_code, 4);
+    EXPECT_TRUE(is_one_error_line(finished.err));
+}
+
+} // namespace
+} // namespace duskline::cli_test
