@@ -5,6 +5,22 @@ add_test(NAME layers COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/ch
 add_test(NAME layers_self_test COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layers_test.py)
 set_tests_properties(layers layers_self_test PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
+# 77 says: the tool is not here.
+add_test(NAME format COMMAND ${PROJECT_SOURCE_DIR}/tools/check_format.sh)
+set_tests_properties(format PROPERTIES SKIP_RETURN_CODE 77)
+if(NOT DUSKLINE_SANITIZE)
+  add_test(NAME names COMMAND ${PROJECT_SOURCE_DIR}/tools/tidy.sh ${PROJECT_BINARY_DIR} src)
+  set_tests_properties(names PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 PROCESSORS 2)
+endif()
+
+if(DUSKLINE_SANITIZE MATCHES thread)
+  add_executable(planted_race execution/planted_race.cpp)
+  target_link_libraries(planted_race PRIVATE duskline::duskline duskline_warnings)
+  add_test(NAME thread_sanitizer_finds_a_planted_race COMMAND planted_race)
+  set_tests_properties(thread_sanitizer_finds_a_planted_race PROPERTIES
+    PASS_REGULAR_EXPRESSION "data race.*planted_race.cpp")
+endif()
+
 if(DUSKLINE_BUILD_EXAMPLES)
   add_test(NAME examples.hello_shadow COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:hello_shadow>
     -D EXPECTED=${CMAKE_CURRENT_SOURCE_DIR}/examples/hello_shadow.txt -P ${CMAKE_CURRENT_SOURCE_DIR}/expect_output.cmake)
