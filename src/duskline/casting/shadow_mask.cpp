@@ -1,5 +1,6 @@
 #include <duskline/casting/shadow_mask.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -44,6 +45,16 @@ ShadowField uniform_shadow_heights(const HeightField& field, Lit answer)
     const float height_m = answer == Lit::no ? infinity : -infinity;
     return where_data(field, std::numeric_limits<float>::quiet_NaN(),
                       [height_m](std::size_t, std::size_t) { return height_m; });
+}
+
+float shadow_height_as_float(double height_m)
+{
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    constexpr float most = std::numeric_limits<float>::max();
+    if (std::isinf(height_m))
+        return height_m > 0.0 ? infinity : -infinity;
+    const auto nearest = static_cast<float>(std::clamp<double>(height_m, -most, most));
+    return nearest < height_m ? std::nextafter(nearest, infinity) : nearest;
 }
 
 ShadowMask mask_of(const HeightField& field, const ShadowField& shadow_heights_m)

@@ -4,6 +4,15 @@
 
 namespace duskline {
 
+HeightRange height_range(const HeightField& field)
+{
+    HeightRange range;
+    for (std::size_t y = 0; y < field.rows(); ++y)
+        for (const float height_m : field.heights_m.row(y))
+            range.include(height_m);
+    return range;
+}
+
 void require_valid(const HeightField& field)
 {
     const auto [x, y] = field.cell_size_m;

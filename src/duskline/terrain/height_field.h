@@ -2,7 +2,9 @@
 
 #include <duskline/geometry/grid.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace duskline {
 
@@ -43,6 +45,28 @@ struct Terrain {
     operator HeightField() const& { return {heights_m.view(), cell_size_m}; }
     operator HeightField() const&& = delete; // the view would outlive its terrain
 };
+
+/// The lowest and highest of some heights, metres; NaN does not count. Of no heights at all, lowest is plus
+/// infinity and highest minus infinity.
+struct HeightRange {
+    float lowest_m = std::numeric_limits<float>::infinity();
+    float highest_m = -std::numeric_limits<float>::infinity();
+
+    void include(float height_m)
+    {
+        // NaN is neither below nor above anything.
+        lowest_m = height_m < lowest_m ? height_m : lowest_m;
+        highest_m = height_m > highest_m ? height_m : highest_m;
+    }
+    void include(HeightRange other)
+    {
+        lowest_m = std::min(lowest_m, other.lowest_m);
+        highest_m = std::max(highest_m, other.highest_m);
+    }
+};
+
+/// The range of all heights: one pass.
+HeightRange height_range(const HeightField& field);
 
 /// Throws InvalidInput unless the cell size is finite and above zero. An empty grid is no error.
 void require_valid(const HeightField& field);

@@ -4,7 +4,6 @@
 #include <duskline/terrain/height_field.h>
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace duskline {
@@ -15,12 +14,9 @@ namespace duskline {
 /// highest = -infinity.
 class MinMaxPyramid {
 public:
-    struct Range {
-        float lowest_m;
-        float highest_m;
-    };
-
     MinMaxPyramid() = default;
+
+    /// One pass over the heights, and two thirds of their memory. Copies the heights' ranges, keeps no view.
     explicit MinMaxPyramid(const HeightField& field, const Execution& execution = {});
 
     /// Levels there are: 1 .. levels(). At least 1 for a field that is not empty.
@@ -28,18 +24,16 @@ public:
 
     /// Block (block_row, block_column) of a level covers samples block_row * 2^level to
     /// (block_row + 1) * 2^level, both included, and columns alike.
-    Range range(std::size_t level, std::size_t block_row, std::size_t block_column) const
+    HeightRange range(std::size_t level, std::size_t block_row, std::size_t block_column) const
     {
         return levels_[level - 1](block_row, block_column);
     }
 
     /// Of the whole field.
-    Range total() const { return levels_.empty() ? kEmpty : levels_.back()(0, 0); }
+    HeightRange total() const { return levels_.empty() ? HeightRange() : levels_.back()(0, 0); }
 
 private:
-    static constexpr Range kEmpty{std::numeric_limits<float>::infinity(),
-                                  -std::numeric_limits<float>::infinity()};
-    std::vector<Grid<Range>> levels_;
+    std::vector<Grid<HeightRange>> levels_;
 };
 
 } // namespace duskline
