@@ -16,7 +16,7 @@ ShadowMask cast_by_ray(const HeightField& field, const DirectionalLight& light, 
 
     const RayMarch march(field, light, height_range(field));
     return mask_by_rays(field, execution, [&](std::size_t row, std::size_t column, double ground_m) {
-        return march.shadow_height_m(march.start_at(row, column), ground_m);
+        return march.shadow_height_m(march.start_at(row, column), ground_m, ground_m);
     });
 }
 
@@ -30,7 +30,7 @@ ShadowField shadow_heights_by_ray(const HeightField& field, const DirectionalLig
 
     const RayMarch march(field, light, height_range(field));
     return shadow_heights_by_rays(field, execution, [&](std::size_t row, std::size_t column) {
-        return march.shadow_height_m(march.start_at(row, column), kNothing);
+        return march.shadow_height_m(march.start_at(row, column), kNothing, kNeverEnough);
     });
 }
 

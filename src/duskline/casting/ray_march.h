@@ -30,8 +30,9 @@
 
 namespace duskline {
 
-/// Lower than any surface: there is nothing.
+/// Lower than any surface: there is nothing. And higher than any.
 inline constexpr double kNothing = -std::numeric_limits<double>::infinity();
+inline constexpr double kNeverEnough = std::numeric_limits<double>::infinity();
 
 /// Cells by which rounding may move a crossing, generously. A ray this close to a sample counts as on it where
 /// the next one is missing: a light a millionth of a degree off the axis must not leave the outermost row of
@@ -139,15 +140,16 @@ public:
         return highest_m + margin_m_ - drop_m_ * (std::max(distance, 0.0) - kSlack_cells);
     }
 
-    /// The height under which a point over the start is in shadow. Crossings count only while they can raise
-    /// it above `at_least_m`: what comes back is right when above that, and else it is `at_least_m`.
-    double shadow_height_m(const RayStart& start, double at_least_m) const
+    /// The height under which a point over the start is in shadow, when that is above `at_least_m`, and else
+    /// `at_least_m`; any height above `enough_m` will do for one that is.
+    double shadow_height_m(const RayStart& start, double at_least_m, double enough_m) const
     {
         double shadow_m = at_least_m;
         std::int64_t cell = std::max<std::int64_t>(start.cell, -1);
         for (std::int64_t line = std::max<std::int64_t>(start.line, -1) + 1; line <= last_line_; ++line) {
             cross(start, line, cell, shadow_m);
-            if (bound_m(highest_m_, distance_to(start, line)) <= shadow_m || cell >= last_cell_ + 1)
+            if (shadow_m > enough_m || cell > last_cell_
+                || bound_m(highest_m_, distance_to(start, line)) <= shadow_m)
                 return shadow_m;
         }
         return last_raised(start, cell, shadow_m);

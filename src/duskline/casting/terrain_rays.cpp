@@ -34,8 +34,8 @@ public:
 
     const RayMarch& march() const { return march_; }
 
-    // As RayMarch::shadow_height_m, bit for bit.
-    double shadow_height_m(const RayStart& start, double at_least_m) const
+    // As RayMarch::shadow_height_m. What is above `enough_m` may differ, as another crossing comes first.
+    double shadow_height_m(const RayStart& start, double at_least_m, double enough_m) const
     {
         const double highest_m = pyramid_.total().highest_m;
         double shadow_m = at_least_m;
@@ -43,25 +43,24 @@ public:
         std::int64_t cell = std::max<std::int64_t>(start.cell, -1);
         std::size_t level = 0;
         while (line < march_.last_line()) {
-            if (march_.bound_m(highest_m, march_.distance_to(start, line)) <= shadow_m
-                || cell > march_.last_cell())
+            const double distance = march_.distance_to(start, line);
+            if (shadow_m > enough_m || cell > march_.last_cell()
+                || march_.bound_m(highest_m, distance) <= shadow_m)
                 return shadow_m;
-            if (level > 0) {
-                const std::int64_t end = block_end(level, line);
-                const std::int64_t reached = march_.cell_after(start, march_.distance_to(start, end));
-                if (march_.bound_m(highest_ahead_m(level, line, cell, reached),
-                                   march_.distance_to(start, line))
-                    <= shadow_m) {
-                    line = end;
-                    cell = std::max(cell, reached);
-                    level = std::min(level + 1, pyramid_.levels());
-                } else {
-                    --level;
-                }
+            if (level == 0) {
+                march_.cross(start, ++line, cell, shadow_m);
+                level = 1;
                 continue;
             }
-            march_.cross(start, ++line, cell, shadow_m);
-            level = line >= 0 ? 1 : 0;
+            const std::int64_t end = block_end(level, line);
+            const std::int64_t reached = march_.cell_after(start, march_.distance_to(start, end));
+            if (march_.bound_m(highest_ahead_m(level, line, cell, reached), distance) <= shadow_m) {
+                line = end;
+                cell = std::max(cell, reached);
+                level = std::min(level + 1, pyramid_.levels());
+            } else {
+                --level;
+            }
         }
         return march_.last_raised(start, cell, shadow_m);
     }
@@ -138,7 +137,7 @@ double TerrainRays::shadow_height_m(double row, double column, const Directional
 
     const FastMarch fast(field_, pyramid_, light);
     const auto entry = fast.march().entry(fast.march().start_at(row, column));
-    return fast.shadow_height_m(entry.start, kNothing) - entry.drop_m;
+    return fast.shadow_height_m(entry.start, kNothing, kNeverEnough) - entry.drop_m;
 }
 
 bool TerrainRays::is_shadowed(const GridPoint& point, const DirectionalLight& light) const
@@ -155,7 +154,7 @@ ShadowMask TerrainRays::cast(const DirectionalLight& light, const Execution& exe
         return uniform_mask(field_, *answer);
     const FastMarch fast(field_, pyramid_, light);
     return mask_by_rays(field_, execution, [&](std::size_t row, std::size_t column, double ground_m) {
-        return fast.shadow_height_m(fast.march().start_at(row, column), ground_m);
+        return fast.shadow_height_m(fast.march().start_at(row, column), ground_m, ground_m);
     });
 }
 
@@ -166,7 +165,7 @@ ShadowField TerrainRays::shadow_heights(const DirectionalLight& light, const Exe
         return uniform_shadow_heights(field_, *answer);
     const FastMarch fast(field_, pyramid_, light);
     return shadow_heights_by_rays(field_, execution, [&](std::size_t row, std::size_t column) {
-        return fast.shadow_height_m(fast.march().start_at(row, column), kNothing);
+        return fast.shadow_height_m(fast.march().start_at(row, column), kNothing, kNeverEnough);
     });
 }
 
