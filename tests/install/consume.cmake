@@ -30,6 +30,6 @@ else()
 endif()
 
 run(${BINARY}/consumer)
-if(NOT output MATCHES "^([a-z_]+: 10 cells\n)+$")
+if(NOT output MATCHES "^([a-z_-]+: 10 cells\n)+$")
   message(FATAL_ERROR "the consumer should print ten cells for every caster, and printed\n${output}")
 endif()
