@@ -1,5 +1,5 @@
-# What `cmake --install` puts where: libraries with their headers, the command, a CMake package and pkg-config
-# files. Parts that this build lacks (files, the command) are left out.
+# What `cmake --install` puts where: libraries with their headers, a CMake package and pkg-config files. Parts that
+# this build lacks (files) are left out. The command and its manual pages are installed by apps/duskline.
 include(CMakePackageConfigHelpers)
 
 set(duskline_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/duskline)
@@ -55,7 +55,6 @@ install(FILES ${PROJECT_BINARY_DIR}/dusklineConfig.cmake ${PROJECT_BINARY_DIR}/d
 if(TARGET duskline_command)
   file(RELATIVE_PATH libraries_from_programs ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   set_target_properties(duskline_command PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
-  install(TARGETS duskline_command)
 endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
