@@ -34,9 +34,9 @@ namespace duskline {
 inline constexpr double kNothing = -std::numeric_limits<double>::infinity();
 inline constexpr double kNeverEnough = std::numeric_limits<double>::infinity();
 
-/// Cells by which rounding may move a crossing, generously. A ray this close to a sample counts as on it where
-/// the next one is missing: a light a millionth of a degree off the axis must not leave the outermost row of
-/// cells, or the one beside a hole, without shadow.
+/// Cells by which rounding may move a crossing, generously. A ray this close to a sample counts as on it
+/// where the next one is missing: a light a millionth of a degree off the axis must not leave the outermost
+/// row of cells, or the one beside a hole, without shadow.
 inline constexpr double kSlack_cells = 1e-6;
 
 /// Where a ray starts: the cell at or before it, and the fraction of the way to the next, in [0, 1).
@@ -82,9 +82,9 @@ public:
         double drop_m;
     };
 
-    /// A start from which no line or cell of the grid is far away: the start itself, or, for one a cell or more
-    /// before the first line or cell, where its ray comes within a cell or two of the grid. Distances from there
-    /// are small enough to count. A ray that never comes near stays outside.
+    /// A start from which no line or cell of the grid is far away: the start itself, or, for one a cell or
+    /// more before the first line or cell, where its ray comes within a cell or two of the grid. Distances
+    /// from there are small enough to count. A ray that never comes near stays outside.
     Entry entry(const RayStart& start) const
     {
         const double lines = static_cast<double>(-1 - start.line);
@@ -133,8 +133,8 @@ public:
                - drop_m_ * distance;
     }
 
-    /// No ground up to `highest_m` can cast a higher shadow than this from a crossing `distance` lines or more
-    /// away, rounding included: of the crossing's place, and of the surface between two samples.
+    /// No ground up to `highest_m` can cast a higher shadow than this from a crossing `distance` lines or
+    /// more away, rounding included: of the crossing's place, and of the surface between two samples.
     double bound_m(double highest_m, double distance) const
     {
         return highest_m + margin_m_ - drop_m_ * (std::max(distance, 0.0) - kSlack_cells);

@@ -15,9 +15,10 @@ enum class Lit : std::uint8_t { no = 0, yes = 1, unknown = 255 };
 /// One answer per cell of the height field it was cast on; `unknown` where the heights have no data.
 using ShadowMask = Grid<Lit>;
 
-/// Shadow heights, metres, rounded up to float, so that the mask they mean (`mask_of`) is the mask itself: a point above the cell is in shadow when it lies below this height. At or under
-/// the ground where the ground is lit, minus infinity where nothing towards the light can shade the cell,
-/// plus infinity when the light is at or below the horizon, NaN where the heights have no data.
+/// Shadow heights, metres, rounded up to float, so that the mask they mean (`mask_of`) is the mask itself:
+/// a point above the cell is in shadow when it lies below this height. At or under the ground where the
+/// ground is lit, minus infinity where nothing towards the light can shade the cell, plus infinity when the
+/// light is at or below the horizon, NaN where the heights have no data.
 using ShadowField = Grid<float>;
 
 /// The one answer for all cells that some lights give: `no` at or below the horizon, `yes` straight

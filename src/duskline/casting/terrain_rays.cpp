@@ -1,6 +1,6 @@
-// The fast ray: the march of ray_march.h, with a look at the min/max pyramid before each step. Seen from above,
-// a ray that has come to a line looks at the blocks it will pass through until the far side of the block it
-// stands at:
+// The fast ray: the march of ray_march.h, with a look at the min/max pyramid before each step. Seen from
+// above, a ray that has come to a line looks at the blocks it will pass through until the far side of the
+// block it stands at:
 //
 //      +-------+-------+
 //      |       |  .    |      If the highest ground of these blocks, at most two of them beside each other,

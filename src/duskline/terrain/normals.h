@@ -14,10 +14,10 @@ namespace duskline {
 //      d e f
 //      g h i      dz_dy = ((a - g) + 2 (b - h) + (c - i)) / (8 cell_size_m.y)     northwards
 //
-// Every cell with data has a slope. A line of the nine that lacks one end (beyond the border, or no data) is
-// measured from its middle instead, one that lacks more is left out and the others count for it; with none
-// left the slope is 0. So a plane keeps its slope up to its border and to holes in it. A cell without data has
-// slope NaN. (gdaldem leaves out every cell that misses a neighbour; elsewhere the two agree.)
+// Every cell with data has a slope. A line of the nine that lacks one end (beyond the border, or no data)
+// is measured from its middle instead, one that lacks more is left out and the others count for it; with
+// none left the slope is 0. So a plane keeps its slope up to its border and to holes in it. A cell without
+// data has slope NaN. (gdaldem leaves out every cell that misses a neighbour; elsewhere the two agree.)
 // Source: Horn, Hill shading and the reflectance map, Proc. IEEE 69, 1981.
 
 /// Metres of rise per metre of ground, eastwards and northwards.
