@@ -1,0 +1,47 @@
+#pragma once
+
+// What a caster's masks may differ in, and assertions that say where they do.
+
+#include <duskline/casting/casters.h>
+
+#include <gtest/gtest.h>
+
+#include <iosfwd>
+
+namespace duskline {
+
+std::ostream& operator<<(std::ostream& out, Lit lit);
+void PrintTo(const Caster& caster, std::ostream* out);
+
+/// The name of a caster as GoogleTest allows it: fast-ray becomes fast_ray.
+std::string test_name(const testing::TestParamInfo<Caster>& info);
+
+/// Whether a caster is the truth itself, and owes every cell.
+bool is_truth(const Caster& caster);
+
+/// 1 for each cell in which `caster` may be wrong on this terrain and light, else 0:
+///
+///   the truth      none
+///   an exact one   cells whose ground is within float rounding of the shadow's height, 7 millionths of the
+///                  highest ground: 2 cm on a 4000 m mountain
+///   another        cells next to a shadow edge. Such casters move edges: they interpolate what lies between
+///                  samples. By a whole cell, and no more where shadows are wider than a cell.
+Grid<char> excuses(const Caster& caster, const HeightField& field, const DirectionalLight& light);
+
+/// Whether two masks are the same in every cell that is not excused; else where they differ.
+testing::AssertionResult same_mask(const ShadowMask& actual, const ShadowMask& expected);
+testing::AssertionResult same_mask(const ShadowMask& actual, const ShadowMask& expected,
+                                   const Grid<char>& excused);
+
+/// Whether no cell but the excused turns from lit to shadow; else where one does.
+testing::AssertionResult no_new_shadow(const ShadowMask& before, const ShadowMask& after,
+                                       const Grid<char>& excused);
+
+/// Whether two grids of numbers have the same bits, any NaN being like any other.
+testing::AssertionResult same_bits(const Grid<float>& actual, const Grid<float>& expected);
+
+/// Cells that differ although no cell within `distance` of theirs, diagonally too, differs from them in `expected`.
+std::size_t differences_away_from_edges(const ShadowMask& actual, const ShadowMask& expected,
+                                        std::size_t distance);
+
+} // namespace duskline
