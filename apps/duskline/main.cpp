@@ -20,7 +20,7 @@ constexpr auto kDescription = "exact shadows on elevation models";
 void add_page_options(CLI::App& app)
 {
     app.set_help_flag("-h,--help", "show this help")->group("General");
-    app.add_flag_callback("--man-page", [&app] { throw CLI::CallForAllHelp(); })->group("");
+    app.add_flag_callback("--man-page", [] { throw CLI::CallForAllHelp(); })->group("");
 }
 
 // The parts that every `duskline` command line shares.

@@ -44,7 +44,7 @@ void require_in_range(const std::string& name, const Range& range, double number
         throw UsageError(fmt::format("{} must be {}, got {}", name, in_words(range), number));
 }
 
-CLI::Option* add_checked(CLI::App& app, const NumberOption& option, std::function<void(double)> take)
+CLI::Option* add_checked(CLI::App& app, const NumberOption& option, const std::function<void(double)>& take)
 {
     const auto read = [name = long_name(option.names), range = option.range, take](const std::string& typed) {
         const double number = parse_number(name, typed);

@@ -19,7 +19,8 @@ public:
     constexpr double degrees() const { return degrees_; }
     constexpr double radians() const { return degrees_ * std::numbers::pi / 180.0; }
 
-    constexpr auto operator<=>(const Angle&) const = default;
+    // clang-tidy 14 takes the zero that comparisons are rewritten with for a pointer.
+    constexpr auto operator<=>(const Angle&) const = default; // NOLINT(modernize-use-nullptr)
     constexpr Angle operator-() const { return Angle(-degrees_); }
     constexpr Angle operator+(Angle other) const { return Angle(degrees_ + other.degrees_); }
     constexpr Angle operator-(Angle other) const { return Angle(degrees_ - other.degrees_); }
