@@ -25,9 +25,13 @@ void add_run_options(CLI::App& app, RunOptions& options)
 {
     add_threads(app, options.threads);
     auto* quiet = app.add_flag("-q,--quiet", options.quiet, "no progress bar and no summary")->group(kGroup);
-    app.add_flag("-v,--verbose", options.verbose, "say what was assumed, and how long each step took")
-        ->excludes(quiet)
-        ->group(kGroup);
+    add_report_options(app, options);
+    app.get_option("--verbose")->excludes(quiet);
+}
+
+void add_report_options(CLI::App& app, RunOptions& options)
+{
+    app.add_flag("-v,--verbose", options.verbose, "say what was assumed")->group(kGroup);
     app.add_flag("--json", options.json, "write the summary to stdout as one JSON object")->group(kGroup);
 }
 

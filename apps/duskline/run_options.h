@@ -17,4 +17,7 @@ struct RunOptions {
 /// `options` must outlive `app`'s parsing.
 void add_run_options(CLI::App& app, RunOptions& options);
 
+/// Only -v and --json, for commands that are quick and whose summary is all they make.
+void add_report_options(CLI::App& app, RunOptions& options);
+
 } // namespace duskline::cli

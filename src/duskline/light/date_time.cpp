@@ -192,11 +192,15 @@ CalendarDate parse_date(std::string_view text)
 
 minutes parse_utc_offset(std::string_view text)
 {
-    TextReader reader(text);
-    const minutes offset = read_offset(reader, text);
-    if (!reader.at_end())
-        reject(text, "is no offset from UTC such as +05:45 or Z");
-    return offset;
+    try {
+        TextReader reader(text);
+        const minutes offset = read_offset(reader, text);
+        if (reader.at_end())
+            return offset;
+    } catch (const InvalidInput&) {
+        // Its text speaks of a whole date and time.
+    }
+    reject(text, "is no offset from UTC; write Z or, up to 14 hours, one like +05:45");
 }
 
 std::string to_iso8601(const DateTime& time)

@@ -1,0 +1,123 @@
+#include "command_line.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace duskline::cli_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class SunCommand : public CommandLineTest {
+protected:
+    nlohmann::json run_for_json(Arguments arguments) const
+    {
+        arguments.insert(arguments.begin(), "sun");
+        arguments.emplace_back("--json");
+        const Finished finished = run(arguments);
+        EXPECT_EQ(finished.exit_code, 0) << finished.err;
+        return nlohmann::json::parse(finished.out);
+    }
+};
+
+TEST_F(SunCommand, PrintsWhereTheSunIsAndItsDay)
+{
+    const Finished finished = run({"sun", "--time", "2026-06-21T18:30-10:00", "--at", "-155.47,19.82"});
+    EXPECT_EQ(finished.exit_code, 0);
+    EXPECT_EQ(finished.err, "");
+    for (const char* part : {"2026-06-21T18:30:00-10:00 seen from 19.82 N, 155.47 W", "292.6385", "6.5425",
+                             "2026-06-21T05:43:5", "2026-06-21T19:03:4", "13 h 20 min"})
+        EXPECT_THAT(finished.out, HasSubstr(part));
+}
+
+TEST_F(SunCommand, GivesTheExampleOfTheSolarPositionAlgorithmInJson)
+{
+    const auto sun = run_for_json({"--time", "2003-10-17T12:30:30-07:00", "--at", "-105.1786,39.742476",
+                                   "--pressure", "820", "--temperature", "11"});
+    EXPECT_EQ(sun["command"], "sun");
+    EXPECT_EQ(sun["time_utc"], "2003-10-17T19:30:30Z");
+    EXPECT_NEAR(sun["azimuth_deg"].get<double>(), 194.340241, 0.0003);
+    EXPECT_NEAR(sun["altitude_deg"].get<double>(), 39.888378, 0.0003);
+    EXPECT_NEAR(sun["geometric_altitude_deg"].get<double>(), 39.872046, 0.0003);
+    EXPECT_NEAR(sun["refraction_deg"].get<double>(), 0.016332, 1e-5);
+    EXPECT_NEAR(sun["equation_of_time_min"].get<double>(), 14.64, 0.01);
+    EXPECT_EQ(sun["day"]["kind"], "rises_or_sets");
+    EXPECT_THAT(sun["day"]["sunrise"].get<std::string>(), HasSubstr("2003-10-17T06:12:4"));
+    EXPECT_TRUE(sun["warnings"].empty());
+}
+
+TEST_F(SunCommand, GivesTheDayAloneForADate)
+{
+    const auto sun =
+        run_for_json({"--date", "2015-04-02", "--utc-offset", "+08:00", "--at", "116.383,39.917"});
+    EXPECT_FALSE(sun.contains("azimuth_deg"));
+    EXPECT_THAT(sun["day"]["sunrise"].get<std::string>(), HasSubstr("2015-04-02T05:5"));
+    EXPECT_THAT(sun["day"]["sunset"].get<std::string>(), HasSubstr("2015-04-02T18:3"));
+}
+
+TEST_F(SunCommand, SaysPolarDayAndPolarNight)
+{
+    const auto summer = run_for_json({"--date", "2024-06-20", "--at", "15.6267,78.2232"});
+    EXPECT_EQ(summer["day"]["kind"], "polar_day");
+    EXPECT_TRUE(summer["day"]["sunrise"].is_null());
+    EXPECT_DOUBLE_EQ(summer["day"]["daylight_s"].get<double>(), 86400.0);
+    const Finished winter = run({"sun", "--date", "2024-12-21", "--at", "15.6267,78.2232"});
+    EXPECT_EQ(winter.exit_code, 0);
+    EXPECT_THAT(winter.out, HasSubstr("polar night: the sun does not rise"));
+    EXPECT_THAT(winter.out, Not(HasSubstr("sunrise")));
+}
+
+TEST_F(SunCommand, WithoutAirThereIsNoRefraction)
+{
+    const auto sun =
+        run_for_json({"--time", "2026-06-22T04:30Z", "--at", "-155.47,19.82", "--pressure", "0"});
+    EXPECT_EQ(sun["refraction_deg"].get<double>(), 0.0);
+    EXPECT_EQ(sun["altitude_deg"], sun["geometric_altitude_deg"]);
+}
+
+struct WrongSun {
+    Arguments arguments;
+    const char* says;
+};
+
+void PrintTo(const WrongSun& wrong, std::ostream* out)
+{
+    *out << wrong.says;
+}
+
+class SunUsage : public CommandLineTest, public ::testing::WithParamInterface<WrongSun> {};
+
+TEST_P(SunUsage, IsRefusedOnOneLineWithCode2)
+{
+    Arguments arguments = GetParam().arguments;
+    arguments.insert(arguments.begin(), "sun");
+    const Finished finished = run(arguments);
+    EXPECT_EQ(finished.exit_code, 2);
+    EXPECT_TRUE(is_one_error_line(finished.err));
+    EXPECT_THAT(finished.err, HasSubstr(GetParam().says));
+    EXPECT_EQ(finished.out, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Wrong, SunUsage,
+    ::testing::Values(WrongSun{{"--time", "2026-06-21T18:30", "--at", "0,0"}, "no offset from UTC; add Z"},
+                      WrongSun{{"--time", "2026-02-30T12:00Z", "--at", "0,0"}, "February 2026 has 28 days"},
+                      WrongSun{{"--time", "1066-10-14T12:00Z", "--at", "0,0"}, "years 1600 to 2400"},
+                      WrongSun{{"--time", "2026-06-21T18:30Z"}, "--at LON,LAT"},
+                      WrongSun{{"--time", "2026-06-21T18:30Z", "--at", "19.82"},
+                               "--at must be longitude,latitude"},
+                      WrongSun{{"--time", "2026-06-21T18:30Z", "--at", "19.82,-155.47"},
+                               "latitude of --at must be from -90 to 90"},
+                      WrongSun{{"--time", "2026-06-21T18:30Z", "--at", "nan,0"}, "must be a finite number"},
+                      WrongSun{{"--time", "2026-06-21T18:30Z", "--at", "0,0", "--pressure", "-1"},
+                               "--pressure must be from 0"},
+                      WrongSun{{"--time", "2026-06-21T18:30Z", "--date", "2026-06-21", "--at", "0,0"},
+                               "--time or --date, not both"},
+                      WrongSun{{"--date", "2026-06-31", "--at", "0,0"}, "June 2026 has 30 days"},
+                      WrongSun{{"--date", "2026-06-21", "--utc-offset", "2", "--at", "0,0"},
+                               "--utc-offset '2' is no offset"},
+                      WrongSun{{"--at", "0,0"}, "give --time such as"}));
+
+} // namespace
+} // namespace duskline::cli_test
