@@ -2,6 +2,7 @@
 
 #include <duskline/casting/ray.h>
 #include <duskline/casting/shadow_mask.h>
+#include <duskline/casting/sweep.h>
 #include <duskline/execution/progress.h>
 
 #include <array>
@@ -28,6 +29,8 @@ inline constexpr std::array kCasters = {
     Caster{"fast-ray", "the same rays over a min/max pyramid, the same answers in a small part of the time",
            "Tevs, Ihrke and Seidel, maximum mipmaps, 2008", true, cast_by_fast_ray,
            shadow_heights_by_fast_ray},
+    Caster{"sweep", "carry one front of shadow heights across the grid; fastest, off only at shadow edges",
+           "plane sweep in the frame of the beams", false, cast_by_sweep, shadow_heights_by_sweep},
 };
 
 /// The caster of that name. Throws InvalidInput, listing the names there are.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -69,7 +70,7 @@ private:
 };
 
 /// A rectangle of values that owns its memory, row after row without gaps. Moves, and copies only when
-/// asked (`copy`): a terrain is gigabytes.
+/// asked (`copy`): a terrain is gigabytes. The first value begins a cache line (64 bytes).
 template <typename T>
 class Grid {
 public:
@@ -78,8 +79,7 @@ public:
     /// `rows` x `columns` values, not set. Throws InvalidInput when their bytes cannot be counted in size_t,
     /// std::bad_alloc when there is no such memory.
     Grid(std::size_t rows, std::size_t columns)
-        : values_(std::make_unique_for_overwrite<T[]>(checked_size(rows, columns))), rows_(rows),
-          columns_(columns)
+        : values_(allocate(checked_size(rows, columns))), rows_(rows), columns_(columns)
     {}
     Grid(std::size_t rows, std::size_t columns, T value) : Grid(rows, columns)
     {
@@ -111,6 +111,18 @@ public:
     GridView<const T> view() const { return {values_.get(), rows_, columns_}; }
 
 private:
+    static_assert(std::is_trivially_destructible_v<T> && std::is_trivially_copyable_v<T>);
+    static constexpr std::align_val_t kAlignment{64};
+
+    struct Release {
+        void operator()(T* values) const { ::operator delete(values, kAlignment); }
+    };
+
+    static T* allocate(std::size_t count)
+    {
+        return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
+    }
+
     static std::size_t checked_size(std::size_t rows, std::size_t columns)
     {
         constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T);
@@ -120,7 +132,7 @@ private:
         return rows * columns;
     }
 
-    std::unique_ptr<T[]> values_;
+    std::unique_ptr<T[], Release> values_;
     std::size_t rows_ = 0;
     std::size_t columns_ = 0;
 };

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace duskline::kernels {
+
+/// Where the beams of a light stand over one line of cells: beam k is over u = k + sideways * (whole +
+/// fraction), so cell j and beam j - sideways * whole are neighbours, `fraction` of a cell apart.
+struct BeamShift {
+    std::ptrdiff_t whole = 0; ///< never falls from line to line
+    float fraction = 0.0f;    ///< in [0, 1); nothing closer to a cell than a millionth of it
+};
+
+/// The shift at line v, for `lateral` in [-1, 1] cells per line.
+BeamShift beam_shift(double lateral, std::size_t v);
+
+/// Lines between two lowerings of the front, see SweepLines::front.
+constexpr std::size_t kLinesPerTilt = 32;
+
+/// Lines of a sweep (sweep.cpp) for one strip of neighbouring beams.
+struct SweepLines {
+    const float* heights = nullptr; ///< cell `first_cell` of the first line; cells of a line lie side by side
+    std::ptrdiff_t line_step = 0;   ///< values from line to line, any sign
+    std::size_t first_cell = 0;     ///< of those in memory; cells 0 .. cells - 1 that the strip needs must be
+    std::size_t cells = 0;          ///< of a whole line
+
+    std::size_t first_line = 0; ///< lines from the light to the first one here
+    std::size_t lines = 0;
+    const BeamShift* shifts = nullptr; ///< of each of these lines
+    std::ptrdiff_t sideways = 1;       ///< 1 when light moves towards higher cells, else -1
+    float drop_m = 0.0f;               ///< LightFrame::drop_m
+
+    std::ptrdiff_t first_beam = 0; ///< the strip's beams: [first_beam, last_beam)
+    std::ptrdiff_t last_beam = 0;
+
+    /// Two copies of the front, last_beam - first_beam + 2 heights each: the strip's beams and one neighbour on
+    /// either side, whose cells are not answered. Heights are those of the shadow at the last line divisible
+    /// by kLinesPerTilt. Which copy is the newer changes with every line.
+    float* front = nullptr;
+    float* other_front = nullptr;
+};
+
+/// The SIMD code of one processor level. All levels give the same bytes.
+struct Kernels {
+    std::string_view isa; ///< "scalar", "ssse3", "sse4", "avx2", "avx512"
+
+    /// Carries the front over the lines and answers every cell of the strip in `lit` (0 shadow, 1 lit, 255 no
+    /// data), laid out as `heights` are. Returns the newer copy of the front.
+    float* (*sweep_mask)(const SweepLines&, std::uint8_t* lit, std::ptrdiff_t lit_line_step);
+
+    /// The same with shadow heights for answers: minus infinity where nothing shades, NaN for no data.
+    float* (*sweep_shadow_heights)(const SweepLines&, float* shadow_m, std::ptrdiff_t shadow_line_step);
+
+    /// to[x * to_stride + y] = from[y * from_stride + x] for y < rows, x < columns.
+    void (*transpose_floats)(const float* from, std::ptrdiff_t from_stride, std::size_t rows,
+                             std::size_t columns, float* to, std::ptrdiff_t to_stride);
+    void (*transpose_bytes)(const std::uint8_t* from, std::ptrdiff_t from_stride, std::size_t rows,
+                            std::size_t columns, std::uint8_t* to, std::ptrdiff_t to_stride);
+};
+
+/// Every level this build contains and this processor can run, best first; "scalar" is always the last.
+std::span<const Kernels> runnable_kernels();
+
+/// The best of them, or the one named by the environment variable DUSKLINE_KERNELS (read once). Throws
+/// InvalidInput when that names none of them.
+const Kernels& active_kernels();
+
+} // namespace duskline::kernels

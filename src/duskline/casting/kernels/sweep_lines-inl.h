@@ -1,0 +1,243 @@
+// The inner loop of the sweep (sweep.cpp): one line of cells against the front of beams.
+//
+// Cell i stands between beam i, `fraction` of a cell ahead of it, and beam i's neighbour behind; beam i stands
+// between cell i and the cell ahead, `fraction` of the way:
+//
+//      far beam      cell i   beam i     far cell            (light moving to the right)
+//          x...........o.......x...........o
+//          |<--1-f---->|<--f-->|
+//
+// Everything is interpolated from the nearer one, near + (far - near) * f, which keeps level ground level to
+// the last bit and makes mirrored terrain give mirrored answers.
+
+#if defined(DUSKLINE_SWEEP_LINES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef DUSKLINE_SWEEP_LINES_INL_H_
+#undef DUSKLINE_SWEEP_LINES_INL_H_
+#else
+#define DUSKLINE_SWEEP_LINES_INL_H_
+#endif
+
+#include <duskline/casting/kernels/kernels.h>
+
+#include <hwy/cache_control.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+HWY_BEFORE_NAMESPACE();
+namespace duskline::kernels {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A front below this is one that no ground has raised yet. Finite, because it is interpolated.
+inline constexpr float kRaised_m = -1.0e29f;
+
+// One line, shifted so that index i means cell i and its beam.
+struct Line {
+    const float* near_cell;
+    const float* next_near_cell; // of the next line, to be fetched while this one is worked on
+    const float* far_cell;
+    const float* near_beam;
+    const float* far_beam;
+    float* next_beam;
+    float fraction;
+    float tilt_m; // what the front's heights are above true ones here
+};
+
+// What is known of some cells once their line is swept.
+template <class D>
+struct Swept {
+    hn::Vec<D> ground;
+    hn::Vec<D> ground_tilted;
+    hn::Vec<D> front;
+};
+
+// The greater of the two; `otherwise` when `candidate` is NaN.
+template <class D>
+HWY_INLINE hn::Vec<D> higher_or(D, hn::Vec<D> candidate, hn::Vec<D> otherwise)
+{
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+    return hn::Max(candidate, otherwise); // maxps gives its second operand when either is NaN
+#else
+    return hn::IfThenElse(hn::Gt(candidate, otherwise), candidate, otherwise);
+#endif
+}
+
+// Cells i .. i + Lanes(d) - 1: what their answers need, and their beams carried on.
+template <class D>
+HWY_INLINE Swept<D> sweep_cells(D d, const Line& line, std::size_t i)
+{
+    const auto fraction = hn::Set(d, line.fraction);
+    hwy::Prefetch(line.next_near_cell + i);
+    const auto ground = hn::LoadU(d, line.near_cell + i);
+    const auto ahead = hn::LoadU(d, line.far_cell + i);
+    const auto beam = hn::LoadU(d, line.near_beam + i);
+    const auto behind = hn::LoadU(d, line.far_beam + i);
+
+    const auto ground_tilted = hn::Add(ground, hn::Set(d, line.tilt_m));
+    const auto under_beam = hn::Add(ground_tilted, hn::Mul(hn::Sub(ahead, ground), fraction));
+    hn::StoreU(higher_or(d, under_beam, beam), d, line.next_beam + i);
+    return {ground, ground_tilted, hn::Add(beam, hn::Mul(hn::Sub(behind, beam), fraction))};
+}
+
+template <class D>
+HWY_INLINE hn::Mask<D> is_lit(D, const Swept<D>& cells)
+{
+    return hn::Ge(cells.ground_tilted, cells.front);
+}
+
+template <class D>
+HWY_INLINE hn::Mask<D> is_no_data(D, const Swept<D>& cells)
+{
+    return hn::Not(hn::Eq(cells.ground, cells.ground));
+}
+
+// Answers with a byte: 1 lit, 0 shadow, 255 no data.
+struct MaskAnswer {
+    std::uint8_t* out;
+
+    template <class D>
+    HWY_INLINE void cells(D d, const Line& line, std::size_t i) const
+    {
+        const hn::RebindToSigned<D> di;
+        const hn::Rebind<std::uint8_t, D> du8;
+        const auto swept = sweep_cells(d, line, i);
+        const auto lit = hn::RebindMask(di, is_lit(d, swept));
+        const auto no_data = hn::RebindMask(di, is_no_data(d, swept));
+        const auto answer =
+            hn::IfThenElse(no_data, hn::Set(di, 255), hn::IfThenElseZero(lit, hn::Set(di, 1)));
+        hn::StoreU(hn::DemoteTo(du8, answer), du8, out + i);
+    }
+};
+
+// Answers with the height of the shadow over the cell.
+struct ShadowHeightAnswer {
+    float* out;
+
+    template <class D>
+    HWY_INLINE void cells(D d, const Line& line, std::size_t i) const
+    {
+        const auto swept = sweep_cells(d, line, i);
+        const auto none = hn::Set(d, -std::numeric_limits<float>::infinity());
+        const auto raised = hn::Gt(swept.front, hn::Set(d, kRaised_m));
+        const auto shadow = hn::IfThenElse(raised, hn::Sub(swept.front, hn::Set(d, line.tilt_m)), none);
+        const auto no_data = hn::Set(d, std::numeric_limits<float>::quiet_NaN());
+        hn::StoreU(hn::IfThenElse(is_no_data(d, swept), no_data, shadow), d, out + i);
+    }
+};
+
+template <class Answer>
+HWY_INLINE void sweep_line(const Line& line, std::size_t first, std::size_t last, const Answer& answer)
+{
+    const hn::ScalableTag<float> d;
+    const std::size_t lanes = hn::Lanes(d);
+    std::size_t i = first;
+    for (; i + lanes <= last; i += lanes)
+        answer.cells(d, line, i);
+    if (i == last)
+        return;
+    if (last - first
+        >= lanes) { // the end once more: the front goes to another copy, so nothing is done twice
+        answer.cells(d, line, last - lanes);
+        return;
+    }
+    for (; i < last; ++i)
+        answer.cells(hn::CappedTag<float, 1>(), line, i);
+}
+
+// The neighbour of the strip that its beams are interpolated with: carried on like them, its cell not answered.
+inline void carry_neighbour(const SweepLines& sweep, const float* heights, BeamShift shift, float tilt_m,
+                            const float* front, float* next)
+{
+    const std::ptrdiff_t sideways = sweep.sideways;
+    const std::ptrdiff_t beam = sideways > 0 ? sweep.first_beam - 1 : sweep.last_beam;
+    const std::ptrdiff_t slot = beam - (sweep.first_beam - 1);
+    next[slot] = front[slot];
+    const std::ptrdiff_t cell = beam + sideways * shift.whole;
+    const std::ptrdiff_t ahead = shift.fraction == 0.0f ? cell : cell + sideways;
+    const auto cells = static_cast<std::ptrdiff_t>(sweep.cells);
+    if (cell < 0 || cell >= cells || ahead < 0 || ahead >= cells)
+        return;
+    const float under_beam = (heights[cell] + tilt_m) + (heights[ahead] - heights[cell]) * shift.fraction;
+    if (under_beam > front[slot])
+        next[slot] = under_beam;
+}
+
+template <class MakeAnswer>
+HWY_INLINE float* sweep_lines(const SweepLines& sweep, const MakeAnswer& answer_for_line)
+{
+    static constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
+    const std::ptrdiff_t sideways = sweep.sideways;
+    const auto beams = static_cast<std::size_t>(sweep.last_beam - sweep.first_beam + 2);
+    const auto cells = static_cast<std::ptrdiff_t>(sweep.cells);
+    float* front = sweep.front;
+    float* next = sweep.other_front;
+
+    for (std::size_t i = 0; i < sweep.lines; ++i) {
+        const std::size_t v = sweep.first_line + i;
+        if (v % kLinesPerTilt == 0 && v != 0)
+            for (std::size_t k = 0; k < beams; ++k)
+                front[k] -= sweep.drop_m * static_cast<float>(kLinesPerTilt);
+
+        const BeamShift shift = sweep.shifts[i];
+        const std::ptrdiff_t first = std::max<std::ptrdiff_t>(sweep.first_beam + sideways * shift.whole, 0);
+        const std::ptrdiff_t last = std::min(sweep.last_beam + sideways * shift.whole, cells);
+        const float* heights = sweep.heights + static_cast<std::ptrdiff_t>(i) * sweep.line_step
+                               - static_cast<std::ptrdiff_t>(sweep.first_cell);
+        const float tilt_m = sweep.drop_m * static_cast<float>(v % kLinesPerTilt);
+        carry_neighbour(sweep, heights, shift, tilt_m, front, next);
+        if (first < last) {
+            const std::ptrdiff_t far = shift.fraction == 0.0f ? 0 : sideways;
+            // Cell j and the slot of its beam in the two copies of the front.
+            const std::ptrdiff_t slot = 1 - sweep.first_beam - sideways * shift.whole;
+            const Line line{heights + first,
+                            heights + first + sweep.line_step,
+                            heights + first + far,
+                            front + first + slot,
+                            front + first + slot - far,
+                            next + first + slot,
+                            shift.fraction,
+                            tilt_m};
+            const auto answer = answer_for_line(i, first);
+            const auto count = static_cast<std::size_t>(last - first);
+            // The beam ahead of the outermost cell has left the grid: there is no ground under it.
+            const bool from_edge = far < 0 && first == 0;
+            const bool to_edge = far > 0 && last == cells;
+            sweep_line(line, from_edge ? 1 : 0, to_edge ? count - 1 : count, answer);
+            if (from_edge || to_edge) {
+                const std::size_t edge = from_edge ? 0 : count - 1;
+                Line alone = line;
+                alone.far_cell = &kNoData - edge;
+                answer.cells(hn::CappedTag<float, 1>(), alone, edge);
+            }
+        }
+        std::swap(front, next);
+    }
+    return front;
+}
+
+float* sweep_mask(const SweepLines& sweep, std::uint8_t* lit, std::ptrdiff_t lit_line_step)
+{
+    return sweep_lines(sweep, [&](std::size_t i, std::ptrdiff_t first) {
+        return MaskAnswer{lit + static_cast<std::ptrdiff_t>(i) * lit_line_step + first
+                          - static_cast<std::ptrdiff_t>(sweep.first_cell)};
+    });
+}
+
+float* sweep_shadow_heights(const SweepLines& sweep, float* shadow_m, std::ptrdiff_t shadow_line_step)
+{
+    return sweep_lines(sweep, [&](std::size_t i, std::ptrdiff_t first) {
+        return ShadowHeightAnswer{shadow_m + static_cast<std::ptrdiff_t>(i) * shadow_line_step + first
+                                  - static_cast<std::ptrdiff_t>(sweep.first_cell)};
+    });
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace duskline::kernels
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard per target
