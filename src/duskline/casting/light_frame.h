@@ -4,6 +4,7 @@
 #include <duskline/terrain/height_field.h>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace duskline {
 
@@ -40,6 +41,21 @@ struct LightOrder {
     std::ptrdiff_t cell_step = 0;
     std::size_t lines = 0;
     std::size_t cells = 0;
+
+    /// Lines [first_line, first_line + line_count).
+    LightOrder part(std::size_t first_line, std::size_t line_count) const
+    {
+        LightOrder some = *this;
+        some.first += static_cast<std::ptrdiff_t>(first_line) * line_step;
+        some.lines = line_count;
+        return some;
+    }
+
+    /// A writable order serves wherever a read-only one is wanted.
+    operator LightOrder<const T>() const requires(!std::is_const_v<T>)
+    {
+        return {first, line_step, cell_step, lines, cells};
+    }
 
     T& at(std::size_t v, std::size_t u) const
     {
