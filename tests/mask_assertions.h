@@ -24,7 +24,8 @@ bool is_truth(const Caster& caster);
 ///   the truth      none
 ///   an exact one   cells whose ground is within float rounding of the shadow's height, 7 millionths of the
 ///                  highest ground: 2 cm on a 4000 m mountain
-///   another        cells next to a shadow edge. Such casters move edges: they interpolate what lies between
+///   another        cells next to a shadow edge, or no further from one in height than the shadow's height
+///                  changes within a cell. Such casters move edges: they interpolate what lies between
 ///                  samples. By a whole cell, and no more where shadows are wider than a cell.
 Grid<char> excuses(const Caster& caster, const HeightField& field, const DirectionalLight& light);
 

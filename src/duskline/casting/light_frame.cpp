@@ -19,7 +19,7 @@ LightFrame light_frame(const DirectionalLight& light, CellSize cell_size_m)
     const double across = frame.lines_are_rows ? columns : rows;
     frame.first_line_is_index_0 = along > 0.0;
     frame.lateral = across / std::abs(along);
-    if (std::abs(frame.lateral) < 1e-12)
+    if (std::abs(frame.lateral) < 1e-6)
         frame.lateral = 0.0;
     frame.drop_m = tangent(light.altitude) / std::abs(along);
     return frame;

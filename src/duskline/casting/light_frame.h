@@ -29,7 +29,8 @@ struct LightFrame {
 };
 
 /// The frame of a light between the horizon and straight overhead (see `uniform_answer` for the others).
-/// Sideways travel too small to matter on any grid (1e-12 cells per line) counts as none.
+/// Light within a millionth of a cell per line (0.00006 degrees) of an axis of the grid counts as along it, or
+/// the outermost line of cells would lose its shadow to a rounding error of the azimuth.
 LightFrame light_frame(const DirectionalLight& light, CellSize cell_size_m);
 
 /// A grid seen in the order of a light frame: `lines` lines of `cells` cells, with the signed distance in

@@ -34,7 +34,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // A front below this is one that no ground has raised yet. Finite, because it is interpolated.
-inline constexpr float kRaised_m = -1.0e29f;
+inline constexpr float kRaised_m = -1.0e20f;
 
 // One line, shifted so that index i means cell i and its beam.
 struct Line {
@@ -72,14 +72,18 @@ template <class D>
 HWY_INLINE Swept<D> sweep_cells(D d, const Line& line, std::size_t i)
 {
     const auto fraction = hn::Set(d, line.fraction);
+    const auto tilt = hn::Set(d, line.tilt_m);
     hwy::Prefetch(line.next_near_cell + i);
     const auto ground = hn::LoadU(d, line.near_cell + i);
     const auto ahead = hn::LoadU(d, line.far_cell + i);
     const auto beam = hn::LoadU(d, line.near_beam + i);
     const auto behind = hn::LoadU(d, line.far_beam + i);
 
-    const auto ground_tilted = hn::Add(ground, hn::Set(d, line.tilt_m));
-    const auto under_beam = hn::Add(ground_tilted, hn::Mul(hn::Sub(ahead, ground), fraction));
+    const auto ground_tilted = hn::Add(ground, tilt);
+    auto under_beam = hn::Add(ground_tilted, hn::Mul(hn::Sub(ahead, ground), fraction));
+    const auto known = hn::Eq(under_beam, under_beam);
+    if (HWY_UNLIKELY(!hn::AllTrue(d, known))) // beside a hole: half a cell around a sample casts
+        under_beam = hn::IfThenElse(known, under_beam, hn::Add(line.fraction < 0.5f ? ground : ahead, tilt));
     hn::StoreU(higher_or(d, under_beam, beam), d, line.next_beam + i);
     return {ground, ground_tilted, hn::Add(beam, hn::Mul(hn::Sub(behind, beam), fraction))};
 }
@@ -149,22 +153,36 @@ HWY_INLINE void sweep_line(const Line& line, std::size_t first, std::size_t last
         answer.cells(hn::CappedTag<float, 1>(), line, i);
 }
 
-// The neighbour of the strip that its beams are interpolated with: carried on like them, its cell not answered.
-inline void carry_neighbour(const SweepLines& sweep, const float* heights, BeamShift shift, float tilt_m,
-                            const float* front, float* next)
+// One beam carried on, whose cell is not answered, and may be the one just outside the grid: what `sweep_cells`
+// does.
+inline void carry_beam(const SweepLines& sweep, const float* heights, BeamShift shift, float tilt_m,
+                       std::ptrdiff_t beam, const float* front, float* next)
 {
-    const std::ptrdiff_t sideways = sweep.sideways;
-    const std::ptrdiff_t beam = sideways > 0 ? sweep.first_beam - 1 : sweep.last_beam;
+    const std::ptrdiff_t cell = beam + sweep.sideways * shift.whole;
     const std::ptrdiff_t slot = beam - (sweep.first_beam - 1);
-    next[slot] = front[slot];
-    const std::ptrdiff_t cell = beam + sideways * shift.whole;
-    const std::ptrdiff_t ahead = shift.fraction == 0.0f ? cell : cell + sideways;
-    const auto cells = static_cast<std::ptrdiff_t>(sweep.cells);
-    if (cell < 0 || cell >= cells || ahead < 0 || ahead >= cells)
-        return;
-    const float under_beam = (heights[cell] + tilt_m) + (heights[ahead] - heights[cell]) * shift.fraction;
-    if (under_beam > front[slot])
-        next[slot] = under_beam;
+    const auto height_m = [&](std::ptrdiff_t u) {
+        const bool inside = u >= 0 && u < static_cast<std::ptrdiff_t>(sweep.cells);
+        return inside ? heights[u] : std::numeric_limits<float>::quiet_NaN();
+    };
+    const float ground = height_m(cell);
+    const float ahead = shift.fraction == 0.0f ? ground : height_m(cell + sweep.sideways);
+    float under_beam = (ground + tilt_m) + (ahead - ground) * shift.fraction;
+    if (std::isnan(under_beam))
+        under_beam = (shift.fraction < 0.5f ? ground : ahead) + tilt_m;
+    next[slot] = under_beam > front[slot] ? under_beam : front[slot];
+}
+
+// The beams whose cells are not answered: the neighbour that the strip's beams are interpolated with, and the
+// beam that is about to enter the grid.
+inline void carry_other_beams(const SweepLines& sweep, const float* heights, BeamShift shift, float tilt_m,
+                              const float* front, float* next)
+{
+    const std::ptrdiff_t neighbour = sweep.sideways > 0 ? sweep.first_beam - 1 : sweep.last_beam;
+    const std::ptrdiff_t outside = sweep.sideways > 0 ? -1 : static_cast<std::ptrdiff_t>(sweep.cells);
+    const std::ptrdiff_t entering = outside - sweep.sideways * shift.whole;
+    carry_beam(sweep, heights, shift, tilt_m, neighbour, front, next);
+    if (entering >= sweep.first_beam && entering < sweep.last_beam)
+        carry_beam(sweep, heights, shift, tilt_m, entering, front, next);
 }
 
 template <class MakeAnswer>
@@ -189,7 +207,7 @@ HWY_INLINE float* sweep_lines(const SweepLines& sweep, const MakeAnswer& answer_
         const float* heights = sweep.heights + static_cast<std::ptrdiff_t>(i) * sweep.line_step
                                - static_cast<std::ptrdiff_t>(sweep.first_cell);
         const float tilt_m = sweep.drop_m * static_cast<float>(v % kLinesPerTilt);
-        carry_neighbour(sweep, heights, shift, tilt_m, front, next);
+        carry_other_beams(sweep, heights, shift, tilt_m, front, next);
         if (first < last) {
             const std::ptrdiff_t far = shift.fraction == 0.0f ? 0 : sideways;
             // Cell j and the slot of its beam in the two copies of the front.
