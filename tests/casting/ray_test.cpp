@@ -28,8 +28,11 @@ public:
     {
         const long double degree = std::numbers::pi_v<long double> / 180.0L;
         const long double azimuth = std::remainder(light.azimuth.degrees(), 360.0) * degree;
-        columns_per_metre_ = along(std::sin(azimuth) / field.cell_size_m.x, std::sin(azimuth));
-        rows_per_metre_ = along(-std::cos(azimuth) / field.cell_size_m.y, std::cos(azimuth));
+        const long double columns = std::sin(azimuth) / field.cell_size_m.x;
+        const long double rows = -std::cos(azimuth) / field.cell_size_m.y;
+        // A light along an axis, to a millionth of a cell per line, does not move off it at all.
+        columns_per_metre_ = std::abs(columns) < 1e-6L * std::abs(rows) ? 0.0L : columns;
+        rows_per_metre_ = std::abs(rows) < 1e-6L * std::abs(columns) ? 0.0L : rows;
         climb_ = std::tan(light.altitude.degrees() * degree);
     }
 
@@ -54,12 +57,6 @@ public:
     }
 
 private:
-    // A light along an axis does not move off it at all.
-    static long double along(long double steps, long double part)
-    {
-        return std::abs(part) < 1e-13L ? 0.0L : steps;
-    }
-
     // The surface on the row (or column) `line`, at a fraction of a cell along it.
     long double surface_m(long double line, long double at, bool is_column = false) const
     {
