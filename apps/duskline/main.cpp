@@ -91,6 +91,19 @@ const CLI::App& chosen(const CommandLine& line)
     return commands.empty() ? line.app : *commands.front();
 }
 
+// What CLI11 says about the number of values, as one would say it: "--azimuth: 1 required DEG missing".
+std::string in_plain_words(const CLI::ParseError& error)
+{
+    const std::string text = error.what();
+    const std::size_t colon = text.find(':');
+    const bool counts_values = error.get_name() == "ArgumentMismatch" && colon != std::string::npos;
+    if (counts_values && text.ends_with("missing"))
+        return text.substr(0, colon) + " needs a value";
+    if (counts_values && text.find("At Most 1") != std::string::npos)
+        return text.substr(0, colon) + " may be given once";
+    return text;
+}
+
 // CLI11 takes its arguments last first.
 void parse(CommandLine& line, std::vector<std::string> arguments)
 {
@@ -102,7 +115,8 @@ void parse(CommandLine& line, std::vector<std::string> arguments)
     } catch (const CLI::CallForAllHelp&) {
         throw;
     } catch (const CLI::ParseError& error) {
-        throw UsageError(fmt::format("{} (see duskline{} --help)", error.what(), word_of(chosen(line))));
+        throw UsageError(
+            fmt::format("{} (see duskline{} --help)", in_plain_words(error), word_of(chosen(line))));
     }
 }
 
