@@ -48,6 +48,12 @@ constexpr std::pair<std::string_view, std::string_view> kExitCodes[] = {
     {"130, 143", "interrupted by Ctrl-C or by SIGTERM"},
 };
 
+constexpr std::pair<std::string_view, std::string_view> kEnvironment[] = {
+    {"DUSKLINE_KERNELS",
+     "SIMD code to use: scalar, ssse3, sse4, avx2 or avx512; else the best that the processor "
+     "runs. No result depends on it."},
+};
+
 // CLI11 keeps one text for the description and one for the footer. Paragraphs of the first: the summary, then
 // the details. Lines of the second in pairs: what an example does, its command line.
 std::vector<std::string> split(const std::string& text, const std::string& separator)
@@ -179,6 +185,11 @@ std::string as_text(const HelpPage& page)
         for (const OptionText& option : group.options)
             text += as_row(option);
     }
+    if (!page.commands.empty()) {
+        text += "\nEnvironment:\n";
+        for (const auto& [name, meaning] : kEnvironment)
+            text += as_row({std::string(name), std::string(meaning)});
+    }
     if (!page.examples.empty())
         text += "\nExamples:\n";
     for (const Example& example : page.examples)
@@ -222,6 +233,9 @@ std::string man_sections_at_the_end(const HelpPage& page)
     std::string text = ".SH EXIT STATUS\n";
     for (const auto& [code, meaning] : kExitCodes)
         text += tagged({std::string(code), std::string(meaning)});
+    text += ".SH ENVIRONMENT\n";
+    for (const auto& [name, meaning] : kEnvironment)
+        text += tagged({std::string(name), std::string(meaning)});
     if (!page.examples.empty())
         text += ".SH EXAMPLES\n";
     for (const Example& example : page.examples)
@@ -270,7 +284,8 @@ std::string man_page(const CLI::App& app)
         fmt::format(".TH \"{}\" 1 \"\" \"Duskline {}\" \"Duskline manual\"\n", title, DUSKLINE_VERSION);
     text += ".SH NAME\n" + escaped(name) + " \\- " + escaped(page.summary) + "\n";
     text += ".SH SYNOPSIS\n.B " + escaped(page.synopsis) + "\n.SH DESCRIPTION\n";
-    text += escaped(page.name + ": " + page.summary + ".") + "\n";
+    if (page.details.empty())
+        text += escaped(page.name + ": " + page.summary + ".") + "\n";
     for (const std::string& paragraph : page.details)
         text += ".PP\n" + escaped(paragraph) + "\n";
     if (!page.commands.empty())
