@@ -4,6 +4,7 @@
 
 #include <duskline/execution/progress.h>
 #include <duskline/geometry/invalid_input.h>
+#include <duskline/raster_io/file_errors.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -35,6 +36,10 @@ int report_failure() noexcept
     } catch (const InvalidInput& error) {
         return fail(ExitCode::usage, error.what());
     } catch (const StandardOutputError& error) {
+        return fail(ExitCode::output, error.what());
+    } catch (const InputError& error) {
+        return fail(ExitCode::input, error.what());
+    } catch (const OutputError& error) {
         return fail(ExitCode::output, error.what());
     } catch (const UnsupportedOnThisMachine& error) {
         return fail(ExitCode::resources, error.what());

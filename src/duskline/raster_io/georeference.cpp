@@ -22,8 +22,8 @@ namespace duskline {
 
 namespace {
 
-constexpr double kStretchIgnored = 0.01;     // UTM stretches by 0.04 %, Albers by 1 %
-constexpr double kVariationIgnored = 1.02;   // widest cell over narrowest
+constexpr double kStretchIgnored = 0.01;   // UTM stretches by 0.04 %, Albers by 1 %
+constexpr double kVariationIgnored = 1.02; // widest cell over narrowest
 constexpr double kVariationRefused = 2.0;
 constexpr double kShearIgnored_deg = 0.5;
 constexpr double kShearRefused_deg = 5.0;
@@ -58,9 +58,9 @@ CellSteps cell_steps(const std::array<double, 6>& gt, GroundVector per_x, Ground
 // How far from a right angle the steps are, degrees.
 double shear_deg(const CellSteps& steps)
 {
-    const double along =
-        steps.column.east_m * steps.row.east_m + steps.column.north_m * steps.row.north_m;
-    return degrees(std::asin(std::min(1.0, std::abs(along) / (length_m(steps.column) * length_m(steps.row)))));
+    const double along = steps.column.east_m * steps.row.east_m + steps.column.north_m * steps.row.north_m;
+    return degrees(
+        std::asin(std::min(1.0, std::abs(along) / (length_m(steps.column) * length_m(steps.row)))));
 }
 
 // The turn, clockwise, that takes an unrotated grid (columns east, rows south) to these steps.
@@ -106,7 +106,7 @@ std::string latitude_words(Angle latitude)
 }
 
 // A projection that treats the raster's centre well, as gdalwarp takes it.
-std::string local_projection(const GeographicPlace& centre, const Body& body)
+std::string local_projection(const Place& centre, const Body& body)
 {
     const double longitude = centre.longitude.degrees();
     const double latitude = centre.latitude.degrees();
@@ -156,7 +156,10 @@ private:
     GroundFrame& frame() { return result_.frame; }
     void note(std::string text) { result_.notes.push_back(std::move(text)); }
     void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
-    [[noreturn]] void refuse(const std::string& why) const { throw InputError(quoted(file_.path) + ": " + why); }
+    [[noreturn]] void refuse(const std::string& why) const
+    {
+        throw InputError(quoted(file_.path) + ": " + why);
+    }
 
     const std::array<double, 6>& gt() const { return *file_.geotransform; }
 
@@ -171,7 +174,8 @@ private:
     {
         if (!cell_size_m_)
             warn(quoted(file_.path)
-                 + " has no georeference: cells taken as 1 m, row 0 as north (--cell-size METRES says otherwise)");
+                 + " has no georeference: cells taken as 1 m, row 0 as north (--cell-size METRES says "
+                   "otherwise)");
     }
 
     void without_ellipsoid()

@@ -1,19 +1,13 @@
 #pragma once
 
 #include <duskline/geometry/angle.h>
+#include <duskline/light/place.h>
 #include <duskline/terrain/height_field.h>
 
 #include <optional>
 #include <string>
 
 namespace duskline {
-
-/// A place on a body's ellipsoid: longitude east of the prime meridian of Greenwich (or the body's own),
-/// latitude north.
-struct GeographicPlace {
-    Angle longitude;
-    Angle latitude;
-};
 
 /// The body whose surface a coordinate reference system describes.
 struct Body {
@@ -40,8 +34,8 @@ struct GroundFrame {
     bool rows_flipped = false;
     bool columns_flipped = false;
 
-    std::optional<GeographicPlace> centre; ///< empty without a coordinate system
-    std::optional<Body> body;              ///< empty without a coordinate system
+    std::optional<Place> centre; ///< on the body's ellipsoid; empty without a coordinate system
+    std::optional<Body> body;    ///< empty without a coordinate system
 
     /// Azimuth from the grid's north (what casters take) of an azimuth from the map's north.
     Angle from_map_north(Angle azimuth) const { return azimuth - grid_north; }

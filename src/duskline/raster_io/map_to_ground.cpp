@@ -152,8 +152,8 @@ std::optional<MapScale> MapToGround::projected_scale(double x, double y) const
         return GroundVector{dot(chord, east), dot(chord, north)};
     };
     const double longitude = std::remainder(xs[0], 2.0 * std::numbers::pi);
-    return MapScale{{Angle::from_radians(longitude), Angle::from_radians(ys[0])},
-                    per_unit(1, 2), per_unit(3, 4)};
+    return MapScale{
+        {Angle::from_radians(longitude), Angle::from_radians(ys[0])}, per_unit(1, 2), per_unit(3, 4)};
 }
 
 } // namespace duskline

@@ -18,7 +18,7 @@ struct GroundVector {
 
 /// What one unit along the map's x and y axes is on the ground, at one place.
 struct MapScale {
-    GeographicPlace place;
+    Place place;
     GroundVector per_x;
     GroundVector per_y;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <duskline/casting/shadow_mask.h>
+#include <duskline/execution/progress.h>
 #include <duskline/geometry/grid.h>
 #include <duskline/raster_io/file_errors.h>
 #include <duskline/raster_io/read_height_field.h>
@@ -18,27 +19,27 @@ namespace duskline {
 
 /// Where and how a raster is written.
 struct WriteOptions {
-    std::string format;                        ///< GDAL's short name; empty: from the file's extension
-    std::vector<std::string> creation_options; ///< KEY=VALUE; they replace ours key by key
-    bool overwrite = false;                    ///< replace a file that is there
-    std::size_t threads = 0;                   ///< for compression; 0 means all
+    std::string format = {};                        ///< GDAL's short name; empty: from the file's extension
+    std::vector<std::string> creation_options = {}; ///< KEY=VALUE; they replace ours key by key
+    bool overwrite = false;                         ///< replace a file that is there
+    std::size_t threads = 0;                        ///< for compression; 0 means all
 };
 
 /// What the bands of a raster hold.
 enum class Samples {
-    byte,  ///< one band of 8 bits
-    real,  ///< one band of 32-bit floats
-    rgb,   ///< red, green, blue of 8 bits
-    rgba,  ///< and opacity
+    byte, ///< one band of 8 bits
+    real, ///< one band of 32-bit floats
+    rgb,  ///< red, green, blue of 8 bits
+    rgba, ///< and opacity
 };
 
 struct RasterContent {
     Samples samples = Samples::byte;
-    std::optional<double> no_data;  ///< declared in the file
-    bool classes = false;           ///< values are codes: overviews take the most frequent, not the mean
-    std::string description;        ///< of the band
-    std::string unit;               ///< of the band: "m"
-    std::vector<std::pair<std::string, std::string>> tags; ///< metadata, in the file's default domain
+    std::optional<double> no_data = {}; ///< declared in the file
+    bool classes = false;               ///< values are codes: overviews take the most frequent, not the mean
+    std::string description = {};       ///< of the band
+    std::string unit = {};              ///< of the band: "m"
+    std::vector<std::pair<std::string, std::string>> tags = {}; ///< metadata, in the file's default domain
 };
 
 /// GDAL's short name of the format that `path` and `options` mean. Throws InvalidInput when no format that
@@ -83,9 +84,9 @@ public:
     std::size_t block_rows() const;
     std::size_t block_columns() const;
 
-    /// Completes the file, brings it to disk and moves it to its place. Throws OutputError; then nothing of
-    /// it is left.
-    void finish();
+    /// Completes the file, brings it to disk and moves it to its place. Throws OutputError, or Cancelled when
+    /// `progress` asks to stop a copy; then nothing of it is left.
+    void finish(const ProgressCallback& progress = {});
 
 private:
     struct Open;

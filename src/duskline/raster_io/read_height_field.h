@@ -17,13 +17,13 @@ namespace duskline {
 
 /// How to read heights out of a file. A default one believes the file.
 struct ReadOptions {
-    std::size_t band = 0;                  ///< counted from 1; 0 takes the first, unless it is a colour
-    std::vector<std::string> open_options; ///< KEY=VALUE, for GDAL's driver
-    double z_factor = 1.0;                 ///< heights are multiplied by it; finite and not 0
-    std::string height_unit;               ///< "m", "ft", "us-ft", ...; empty: what the file says, else metres
-    std::optional<double> cell_size_m;     ///< square cells of this size, whatever the file says; above 0
-    std::optional<double> no_data;         ///< one more value, as stored, that means no data
-    std::size_t threads = 0;               ///< for decompression; 0 means all
+    std::size_t band = 0;                       ///< counted from 1; 0 takes the first, unless it is a colour
+    std::vector<std::string> open_options = {}; ///< KEY=VALUE, for GDAL's driver
+    double z_factor = 1.0;                      ///< heights are multiplied by it; finite and not 0
+    std::optional<double> metres_per_unit = {}; ///< of the heights; empty: as the file says, else 1
+    std::optional<double> cell_size_m = {}; ///< square cells of this size, whatever the file says; above 0
+    std::optional<double> no_data = {};     ///< one more value, as stored, that means no data
+    std::size_t threads = 0;                ///< for decompression; 0 means all
 };
 
 /// What a file says about itself and what was made of it.
@@ -32,24 +32,24 @@ struct HeightFileFacts {
     std::string format; ///< GDAL's short name of the driver
     std::size_t rows = 0;
     std::size_t columns = 0;
-    std::size_t band = 1;        ///< the one that is read, from 1
-    std::size_t band_count = 1;  ///< bands in the file
-    std::string sample_type;     ///< GDAL's name: Int16, Float32, ...
-    std::string compression;     ///< empty when there is none
-    std::size_t block_rows = 1;  ///< of the file's blocks; reading whole ones is fastest
+    std::size_t band = 1;       ///< the one that is read, from 1
+    std::size_t band_count = 1; ///< bands in the file
+    std::string sample_type;    ///< GDAL's name: Int16, Float32, ...
+    std::string compression;    ///< empty when there is none
+    std::size_t block_rows = 1; ///< of the file's blocks; reading whole ones is fastest
     std::size_t block_columns = 1;
 
-    std::string height_unit;        ///< in words: "metres", "US survey feet"
-    double metres_per_unit = 1.0;   ///< of stored heights, after scale and offset, without the z factor
-    double scale = 1.0;             ///< stored * scale + offset is a height in height_unit
+    std::string height_unit;      ///< in words: "metres", "US survey feet"
+    double metres_per_unit = 1.0; ///< of stored heights, after scale and offset, without the z factor
+    double scale = 1.0;           ///< stored * scale + offset is a height in height_unit
     double offset = 0.0;
     double z_factor = 1.0;
-    double base_m = 0.0;            ///< taken off all heights that are read; see `read`
-    std::optional<double> no_data;  ///< declared by the file, as stored
-    bool has_mask = false;          ///< a mask or alpha band says where there is data
+    double base_m = 0.0;                ///< taken off all heights that are read; see `read`
+    std::optional<double> no_data = {}; ///< declared by the file, as stored
+    bool has_mask = false;              ///< a mask or alpha band says where there is data
 
-    std::string crs_name;                             ///< empty when the file has none
-    std::string crs_wkt;                              ///< WKT 2, empty when the file has none
+    std::string crs_name;                              ///< empty when the file has none
+    std::string crs_wkt;                               ///< WKT 2, empty when the file has none
     std::optional<std::array<double, 6>> geotransform; ///< of the file, in GDAL's order; empty: none
     GroundFrame ground;
 
@@ -59,10 +59,11 @@ struct HeightFileFacts {
 
 /// What turned up while heights were read.
 struct ReadTally {
-    std::size_t cells = 0;            ///< read so far
-    std::size_t no_data = 0;          ///< of them without data, for whatever reason
-    std::size_t undeclared_voids = 0; ///< of those, for a value the file does not declare: -32768, -9999, 1e30...
-    std::size_t infinities = 0;       ///< of those, infinite
+    std::size_t cells = 0;   ///< read so far
+    std::size_t no_data = 0; ///< of them without data, for whatever reason
+    std::size_t undeclared_voids =
+        0;                      ///< of those, for a value the file does not declare: -32768, -9999, 1e30...
+    std::size_t infinities = 0; ///< of those, infinite
 };
 
 /// A raster of heights, open for reading: anything GDAL reads, /vsi names too. Rows and columns are counted

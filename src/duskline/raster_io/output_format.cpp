@@ -1,0 +1,178 @@
+#include <duskline/geometry/invalid_input.h>
+#include <duskline/raster_io/output_format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <sstream>
+#include <string_view>
+
+namespace duskline {
+
+namespace {
+
+struct Default {
+    const char* key;
+    std::string value;
+};
+
+bool has_capability(GDALDriver& driver, const char* capability)
+{
+    const char* value = driver.GetMetadataItem(capability);
+    return value != nullptr && std::string_view(value) == "YES";
+}
+
+bool can_write(GDALDriver& driver)
+{
+    return has_capability(driver, GDAL_DCAP_RASTER)
+           && (has_capability(driver, GDAL_DCAP_CREATE) || has_capability(driver, GDAL_DCAP_CREATECOPY));
+}
+
+bool has_word(GDALDriver& driver, const char* item, std::string_view wanted)
+{
+    const char* list = driver.GetMetadataItem(item);
+    std::istringstream words(list != nullptr ? list : "");
+    for (std::string word; words >> word;)
+        if (EQUAL(word.c_str(), std::string(wanted).c_str()))
+            return true;
+    return false;
+}
+
+// GeoTIFF and COG share an extension; the plain one is what people mean by it.
+std::string format_by_extension(const std::string& path)
+{
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (extension.size() > 1) {
+        const std::string wanted = extension.substr(1);
+        if (EQUAL(wanted.c_str(), "tif") || EQUAL(wanted.c_str(), "tiff"))
+            return "GTiff";
+        GDALDriverManager& manager = *GetGDALDriverManager();
+        for (int i = 0; i < manager.GetDriverCount(); ++i)
+            if (can_write(*manager.GetDriver(i))
+                && has_word(*manager.GetDriver(i), GDAL_DMD_EXTENSIONS, wanted))
+                return manager.GetDriver(i)->GetDescription();
+    }
+    throw InvalidInput("no format that GDAL can write is known by the extension of '" + path
+                       + "'; name one with --of, such as GTiff or PNG");
+}
+
+std::vector<Default> geotiff_defaults(const RasterContent& content, const CPLStringList& given,
+                                      const std::string& threads)
+{
+    std::vector<Default> defaults;
+    const bool shaped =
+        given.FetchNameValue("BLOCKXSIZE") != nullptr || given.FetchNameValue("BLOCKYSIZE") != nullptr;
+    if (!shaped)
+        defaults.push_back({"TILED", "YES"});
+    if (given.FetchNameValue("COMPRESS") == nullptr) {
+        defaults.push_back({"COMPRESS", "DEFLATE"});
+        if (content.samples != Samples::byte)
+            defaults.push_back({"PREDICTOR", content.samples == Samples::real ? "3" : "2"});
+    }
+    if (content.samples == Samples::rgb || content.samples == Samples::rgba) {
+        defaults.push_back({"PHOTOMETRIC", "RGB"});
+        defaults.push_back({"INTERLEAVE", "PIXEL"});
+    }
+    if (content.samples == Samples::rgba)
+        defaults.push_back({"ALPHA", "YES"});
+    defaults.push_back({"BIGTIFF", "IF_SAFER"});
+    defaults.push_back({"NUM_THREADS", threads});
+    return defaults;
+}
+
+std::vector<Default> cog_defaults(const RasterContent& content, const CPLStringList& given,
+                                  const std::string& threads)
+{
+    std::vector<Default> defaults;
+    if (given.FetchNameValue("COMPRESS") == nullptr) {
+        defaults.push_back({"COMPRESS", "DEFLATE"});
+        if (content.samples != Samples::byte)
+            defaults.push_back({"PREDICTOR", "YES"});
+    }
+    if (given.FetchNameValue("RESAMPLING") == nullptr)
+        defaults.push_back({"OVERVIEW_RESAMPLING", content.classes ? "MODE" : "AVERAGE"});
+    defaults.push_back({"BIGTIFF", "IF_SAFER"});
+    defaults.push_back({"NUM_THREADS", threads});
+    return defaults;
+}
+
+CPLStringList given_options(const WriteOptions& options)
+{
+    for (const std::string& option : options.creation_options)
+        if (option.find('=') == std::string::npos || option.front() == '=')
+            throw InvalidInput("a creation option must be KEY=VALUE, got '" + option + "'");
+    return as_gdal_list(options.creation_options);
+}
+
+} // namespace
+
+std::string output_format(const std::string& path, const WriteOptions& options)
+{
+    register_gdal_drivers();
+    if (options.format.empty())
+        return format_by_extension(path);
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(options.format.c_str());
+    if (driver == nullptr)
+        throw InvalidInput("GDAL has no format called '" + options.format
+                           + "'; gdalinfo --formats lists those it has");
+    if (!can_write(*driver))
+        throw InvalidInput("GDAL cannot write the format '" + options.format + "', only read it");
+    return driver->GetDescription();
+}
+
+bool is_picture_format(const std::string& format)
+{
+    constexpr std::array<std::string_view, 7> pictures = {"PNG", "JPEG",   "WEBP", "BMP",
+                                                          "GIF", "JPEGXL", "HEIF"};
+    return std::ranges::find(pictures, format) != pictures.end();
+}
+
+int band_count(const RasterContent& content)
+{
+    switch (content.samples) {
+    case Samples::rgb:
+        return 3;
+    case Samples::rgba:
+        return 4;
+    default:
+        return 1;
+    }
+}
+
+GDALDataType sample_type(const RasterContent& content)
+{
+    return content.samples == Samples::real ? GDT_Float32 : GDT_Byte;
+}
+
+GDALDriver& output_driver(const std::string& format, const RasterContent& content)
+{
+    GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName(format.c_str());
+    const char* type = GDALGetDataTypeName(sample_type(content));
+    if (driver.GetMetadataItem(GDAL_DMD_CREATIONDATATYPES) != nullptr
+        && !has_word(driver, GDAL_DMD_CREATIONDATATYPES, type))
+        throw InvalidInput("the format " + format + " cannot hold "
+                           + (content.samples == Samples::real ? "heights (Float32)" : "bytes")
+                           + "; GTiff can");
+    return driver;
+}
+
+CPLStringList completed_options(GDALDriver& driver, const RasterContent& content, const WriteOptions& options)
+{
+    CPLStringList completed = given_options(options);
+    const std::string format = driver.GetDescription();
+    const GdalErrors errors;
+    if (!GDALValidateCreationOptions(&driver, completed.List()))
+        throw InvalidInput(errors.warnings().empty() ? "a creation option is wrong for " + format
+                                                     : errors.warnings().front());
+    std::vector<Default> defaults;
+    if (format == "GTiff")
+        defaults = geotiff_defaults(content, completed, gdal_threads(options.threads));
+    else if (format == "COG")
+        defaults = cog_defaults(content, completed, gdal_threads(options.threads));
+    for (const Default& item : defaults)
+        if (completed.FetchNameValue(item.key) == nullptr)
+            completed.SetNameValue(item.key, item.value.c_str());
+    return completed;
+}
+
+} // namespace duskline

@@ -1,0 +1,376 @@
+// Rasters out, in any format that GDAL writes.
+//
+// GeoTIFF is written directly, block by block in whatever order blocks come. All other formats are copied from
+// a temporary GeoTIFF: their drivers want rows from top to bottom, or the whole raster, or keep it in memory.
+
+#include <duskline/execution/progress.h>
+#include <duskline/geometry/invalid_input.h>
+#include <duskline/raster_io/gdal_session.h>
+#include <duskline/raster_io/open_height_file.h>
+#include <duskline/raster_io/output_format.h>
+#include <duskline/raster_io/plain_number.h>
+#include <duskline/raster_io/raster_writer.h>
+#include <duskline/raster_io/staged_output.h>
+
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <filesystem>
+
+namespace duskline {
+
+namespace {
+
+// What the raster takes over from the file of heights.
+struct Placement {
+    std::size_t rows = 0;
+    std::size_t columns = 0;
+    GroundFrame ground;
+    std::optional<std::array<double, 6>> geotransform;
+    std::unique_ptr<OGRSpatialReference> crs;
+    std::string area_or_point;
+};
+
+Placement placement_of(GDALDataset& dataset, const HeightFileFacts& facts)
+{
+    Placement placement{facts.rows, facts.columns, facts.ground, facts.geotransform, nullptr, ""};
+    if (const OGRSpatialReference* crs = dataset.GetSpatialRef())
+        placement.crs.reset(crs->Clone());
+    if (const char* convention = dataset.GetMetadataItem("AREA_OR_POINT"))
+        placement.area_or_point = convention;
+    return placement;
+}
+
+void set_placement(GDALDataset& dataset, const Placement& placement)
+{
+    if (placement.geotransform) {
+        std::array<double, 6> gt = *placement.geotransform;
+        dataset.SetGeoTransform(gt.data());
+    }
+    if (placement.crs)
+        dataset.SetSpatialRef(placement.crs.get());
+    if (!placement.area_or_point.empty())
+        dataset.SetMetadataItem("AREA_OR_POINT", placement.area_or_point.c_str());
+}
+
+void set_colours(GDALDataset& dataset)
+{
+    constexpr std::array meanings = {GCI_RedBand, GCI_GreenBand, GCI_BlueBand, GCI_AlphaBand};
+    for (int i = 1; i <= dataset.GetRasterCount(); ++i)
+        dataset.GetRasterBand(i)->SetColorInterpretation(meanings[static_cast<std::size_t>(i) - 1]);
+}
+
+void set_content(GDALDataset& dataset, const RasterContent& content)
+{
+    for (const auto& [key, value] : content.tags)
+        dataset.SetMetadataItem(key.c_str(), value.c_str());
+    if (dataset.GetRasterCount() > 1)
+        return set_colours(dataset);
+    GDALRasterBand& band = *dataset.GetRasterBand(1);
+    if (content.no_data)
+        band.SetNoDataValue(*content.no_data);
+    if (!content.description.empty())
+        band.SetDescription(content.description.c_str());
+    if (!content.unit.empty())
+        band.SetUnitType(content.unit.c_str());
+}
+
+Dataset created(GDALDriver& driver, const std::string& path, const Placement& placement,
+                const RasterContent& content, const CPLStringList& options)
+{
+    Dataset dataset(driver.Create(path.c_str(), static_cast<int>(placement.columns),
+                                  static_cast<int>(placement.rows), band_count(content), sample_type(content),
+                                  const_cast<char**>(options.List())));
+    if (dataset) {
+        set_placement(*dataset, placement);
+        set_content(*dataset, content);
+    }
+    return dataset;
+}
+
+// GDAL's view of a callback, and whether it asked to stop.
+struct CopyProgress {
+    const ProgressCallback& callback;
+    bool stopped = false;
+
+    static int CPL_STDCALL call(double done, const char*, void* self)
+    {
+        auto& progress = *static_cast<CopyProgress*>(self);
+        progress.stopped = progress.callback && !progress.callback(done);
+        return progress.stopped ? FALSE : TRUE;
+    }
+};
+
+template <typename T>
+Grid<T> turned_round(GridView<const T> values, bool rows, bool columns)
+{
+    Grid<T> turned(values.rows(), values.columns());
+    for (std::size_t y = 0; y < values.rows(); ++y) {
+        const auto from = values.row(y);
+        const auto to = turned.row(rows ? values.rows() - 1 - y : y);
+        if (columns)
+            std::ranges::reverse_copy(from, to.begin());
+        else
+            std::ranges::copy(from, to.begin());
+    }
+    return turned;
+}
+
+} // namespace
+
+struct RasterWriter::Open {
+    Open(const std::string& path, const HeightFile& like, const RasterContent& what,
+         const WriteOptions& options);
+    ~Open();
+    Open(const Open&) = delete;
+    Open& operator=(const Open&) = delete;
+
+    void write_in_file_order(std::size_t first_row, std::size_t first_column, std::size_t rows,
+                             std::size_t columns, const void* values, std::size_t row_stride);
+    void close();
+    void copy(const ProgressCallback& progress);
+    [[noreturn]] void fail(const GdalErrors& errors) const;
+
+    template <typename T>
+    void write(std::size_t first_row, std::size_t first_column, GridView<const T> values);
+
+    Placement placement;
+    RasterContent content;
+    StagedOutput staged;
+    GDALDriver* driver = nullptr;
+    CPLStringList creation_options;
+    bool copies = false; ///< `dataset` is a temporary one, to be copied into `driver`'s format
+    Dataset dataset;
+    std::size_t block_rows = 1;
+    std::size_t block_columns = 1;
+
+private:
+    void try_copy() const;
+    bool is_whole_blocks(std::size_t first_row, std::size_t first_column, std::size_t rows,
+                         std::size_t columns) const;
+};
+
+namespace {
+
+const std::string& checked_target(const std::string& path, const HeightFile& like)
+{
+    if (like.is_made_of(path))
+        throw OutputError("cannot write '" + path + "': it is the input '" + like.facts().path + "'");
+    return path;
+}
+
+} // namespace
+
+RasterWriter::Open::Open(const std::string& path, const HeightFile& like, const RasterContent& what,
+                         const WriteOptions& options)
+    : placement(placement_of(*like.open_->dataset, like.facts())), content(what),
+      staged(checked_target(path, like), options.overwrite)
+{
+    const std::string format = output_format(path, options);
+    driver = &output_driver(format, content);
+    creation_options = completed_options(*driver, content, options);
+    copies = format != "GTiff";
+    const GdalErrors errors;
+    if (copies) {
+        try_copy();
+        WriteOptions plain;
+        plain.creation_options = {"ZLEVEL=1"};
+        plain.threads = options.threads;
+        GDALDriver& geotiff = output_driver("GTiff", content);
+        dataset = created(geotiff, staged.scratch_path("whole.tif"), placement, content,
+                          completed_options(geotiff, content, plain));
+    } else {
+        dataset = created(*driver, staged.path(), placement, content, creation_options);
+    }
+    if (!dataset)
+        fail(errors);
+    int columns = 1;
+    int rows = 1;
+    dataset->GetRasterBand(1)->GetBlockSize(&columns, &rows);
+    block_rows = static_cast<std::size_t>(rows);
+    block_columns = static_cast<std::size_t>(columns);
+}
+
+// An unfinished raster goes without a word about what it could not write.
+RasterWriter::Open::~Open()
+{
+    const GdalErrors quiet;
+    dataset.reset();
+}
+
+// A few cells through the real driver: what it cannot hold shows now, not after the work.
+void RasterWriter::Open::try_copy() const
+{
+    const GdalErrors errors;
+    Placement small{std::min<std::size_t>(placement.rows, 8),
+                    std::min<std::size_t>(placement.columns, 8),
+                    placement.ground,
+                    placement.geotransform,
+                    nullptr,
+                    placement.area_or_point};
+    if (placement.crs)
+        small.crs.reset(placement.crs->Clone());
+    GDALDriver& memory = *GetGDALDriverManager()->GetDriverByName("MEM");
+    const Dataset cells = created(memory, "", small, content, CPLStringList());
+    const std::string extension = std::filesystem::path(staged.path()).extension().string();
+    const std::string path = staged.scratch_path("trial" + extension);
+    const Dataset trial(driver->CreateCopy(path.c_str(), cells.get(), FALSE,
+                                           const_cast<char**>(creation_options.List()), nullptr, nullptr));
+    if (!trial)
+        throw InvalidInput("the format " + std::string(driver->GetDescription())
+                           + " cannot hold this result: " + errors.reason("GDAL does not say why"));
+}
+
+void RasterWriter::Open::fail(const GdalErrors& errors) const
+{
+    std::string why = errors.reason("GDAL does not say why");
+    const double free_mib = staged.free_mebibytes();
+    if (free_mib < 16.0)
+        why += " (the disk has " + plain_number(free_mib, 1) + " MiB left)";
+    throw OutputError("cannot write '" + staged.target() + "': " + why);
+}
+
+bool RasterWriter::Open::is_whole_blocks(std::size_t first_row, std::size_t first_column, std::size_t rows,
+                                         std::size_t columns) const
+{
+    const auto whole = [](std::size_t first, std::size_t count, std::size_t block, std::size_t all) {
+        return first % block == 0 && ((first + count) % block == 0 || first + count == all);
+    };
+    return whole(first_row, rows, block_rows, placement.rows)
+           && whole(first_column, columns, block_columns, placement.columns);
+}
+
+void RasterWriter::Open::write_in_file_order(std::size_t first_row, std::size_t first_column,
+                                             std::size_t rows, std::size_t columns, const void* values,
+                                             std::size_t row_stride)
+{
+    const GdalErrors errors;
+    const int bands = dataset->GetRasterCount();
+    const GDALDataType type = sample_type(content);
+    const auto sample_bytes = static_cast<GSpacing>(GDALGetDataTypeSizeBytes(type));
+    const GSpacing pixel_bytes = sample_bytes * bands;
+    const auto width = static_cast<int>(columns);
+    const auto height = static_cast<int>(rows);
+    const CPLErr result =
+        dataset->RasterIO(GF_Write, static_cast<int>(first_column), static_cast<int>(first_row), width,
+                          height, const_cast<void*>(values), width, height, type, bands, nullptr, pixel_bytes,
+                          pixel_bytes * static_cast<GSpacing>(row_stride), sample_bytes, nullptr);
+    if (result == CE_None && is_whole_blocks(first_row, first_column, rows, columns))
+        for (int band = 1; band <= bands; ++band)
+            dataset->GetRasterBand(band)->FlushCache(false);
+    if (result != CE_None || errors.any())
+        fail(errors);
+}
+
+template <typename T>
+void RasterWriter::Open::write(std::size_t first_row, std::size_t first_column, GridView<const T> values)
+{
+    assert(dataset && first_row + values.rows() <= placement.rows
+           && first_column + values.columns() <= placement.columns);
+    assert(sizeof(T)
+           == static_cast<std::size_t>(GDALGetDataTypeSizeBytes(sample_type(content)))
+                  * static_cast<std::size_t>(band_count(content)));
+    if (values.empty())
+        return;
+    const bool flip_rows = placement.ground.rows_flipped;
+    const bool flip_columns = placement.ground.columns_flipped;
+    if (flip_rows)
+        first_row = placement.rows - first_row - values.rows();
+    if (flip_columns)
+        first_column = placement.columns - first_column - values.columns();
+    if (!flip_rows && !flip_columns)
+        return write_in_file_order(first_row, first_column, values.rows(), values.columns(), values.data(),
+                                   values.row_stride());
+    const Grid<T> turned = turned_round(values, flip_rows, flip_columns);
+    write_in_file_order(first_row, first_column, turned.rows(), turned.columns(), turned.data(),
+                        turned.columns());
+}
+
+void RasterWriter::Open::close()
+{
+    const GdalErrors errors;
+    dataset->FlushCache(false);
+    dataset.reset();
+    if (errors.any())
+        fail(errors);
+}
+
+void RasterWriter::Open::copy(const ProgressCallback& progress)
+{
+    const GdalErrors errors;
+    CopyProgress copy_progress{progress};
+    {
+        const Dataset whole(GDALDataset::Open(staged.scratch_path("whole.tif").c_str(), GDAL_OF_RASTER));
+        if (!whole)
+            fail(errors);
+        const Dataset copied(driver->CreateCopy(staged.path().c_str(), whole.get(), FALSE,
+                                                const_cast<char**>(creation_options.List()),
+                                                CopyProgress::call, &copy_progress));
+        if (copied)
+            copied->FlushCache(false);
+        else if (!copy_progress.stopped)
+            fail(errors);
+    }
+    if (copy_progress.stopped)
+        throw Cancelled();
+    if (errors.any())
+        fail(errors);
+}
+
+RasterWriter::RasterWriter(const std::string& path, const HeightFile& like, const RasterContent& content,
+                           const WriteOptions& options)
+    : open_(std::make_unique<Open>(path, like, content, options))
+{}
+
+RasterWriter::~RasterWriter() = default;
+RasterWriter::RasterWriter(RasterWriter&&) noexcept = default;
+RasterWriter& RasterWriter::operator=(RasterWriter&&) noexcept = default;
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column, GridView<const std::uint8_t> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column, GridView<const Lit> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column, GridView<const float> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column,
+                         GridView<const std::array<std::uint8_t, 3>> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column,
+                         GridView<const std::array<std::uint8_t, 4>> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+std::size_t RasterWriter::block_rows() const
+{
+    return open_->block_rows;
+}
+
+std::size_t RasterWriter::block_columns() const
+{
+    return open_->block_columns;
+}
+
+void RasterWriter::finish(const ProgressCallback& progress)
+{
+    open_->close();
+    if (open_->copies)
+        open_->copy(progress);
+    open_->staged.publish();
+}
+
+} // namespace duskline
