@@ -25,7 +25,8 @@ struct MadeRaster {
     double scale = 1.0;
     double offset = 0.0;
     std::string unit = {};
-    std::vector<std::string> colours = {}; ///< one per band: red, green, blue, alpha, grey, palette; empty: one band
+    std::vector<std::string> colours =
+        {}; ///< one per band: red, green, blue, alpha, grey, palette; empty: one band
     std::vector<std::string> creation_options = {};
 
     /// The stored number of a cell of band `band` (from 1), rows and columns in the file's order.

@@ -1,8 +1,46 @@
 #include <duskline/raster_io/gdal_session.h>
+#include <duskline/raster_io/read_height_field.h>
 
 #include <mutex>
+#include <utility>
 
 namespace duskline {
+
+namespace {
+
+// What GDAL's own threads, which no handler of ours reaches, complained of last. One per process, as is the
+// handler that GDAL calls from them.
+class ComplaintOfOtherThreads {
+public:
+    void set(const std::string& text)
+    {
+        const std::scoped_lock lock(mutex_);
+        text_ = text;
+    }
+    std::string take()
+    {
+        const std::scoped_lock lock(mutex_);
+        return std::exchange(text_, "");
+    }
+
+private:
+    std::mutex mutex_;
+    std::string text_;
+};
+
+ComplaintOfOtherThreads& complaint_of_other_threads()
+{
+    static ComplaintOfOtherThreads complaint;
+    return complaint;
+}
+
+void CPL_STDCALL remember_complaint(CPLErr level, CPLErrorNum, const char* text)
+{
+    if (level >= CE_Failure)
+        complaint_of_other_threads().set(on_one_line(text));
+}
+
+} // namespace
 
 void register_gdal_drivers()
 {
@@ -32,7 +70,16 @@ void CPL_STDCALL GdalErrors::collect(CPLErr level, CPLErrorNum, const char* text
 
 std::string GdalErrors::reason(const std::string& otherwise) const
 {
-    return failures_.empty() ? otherwise : failures_.front();
+    const std::string elsewhere = complaint_of_other_threads().take();
+    if (!failures_.empty())
+        return failures_.front();
+    return elsewhere.empty() ? otherwise : elsewhere;
+}
+
+void prepare_gdal_for_program(std::size_t cache_bytes)
+{
+    CPLSetErrorHandler(remember_complaint);
+    GDALSetCacheMax64(static_cast<GIntBig>(cache_bytes));
 }
 
 GdalDefault::GdalDefault(const char* key, const std::string& value) : key_(key)

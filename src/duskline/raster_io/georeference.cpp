@@ -118,13 +118,17 @@ std::string local_projection(const Place& centre, const Body& body)
            + (body.is_earth ? " +ellps=WGS84'" : " +R=" + plain_number(body.equatorial_radius_m, 0) + "'");
 }
 
+// What to do about a raster whose cells differ too much. Beyond some thousand kilometres no projection helps.
 std::string warp_remedy(const Georeference& file, const GroundFrame& frame)
 {
+    const double height_m = static_cast<double>(file.rows) * frame.cell_size_m.y;
+    const double width_m = static_cast<double>(file.columns) * frame.cell_size_m.x;
+    if (std::max(height_m, width_m) > 5.0e6)
+        return "cut out a smaller part, gdal_translate -projwin";
     std::string projection;
     if (frame.centre && frame.body)
         projection = "-t_srs " + local_projection(*frame.centre, *frame.body) + " ";
-    return "gdalwarp " + projection + "-r bilinear " + quoted(file.path)
-           + " projected.tif makes one that can be used";
+    return "gdalwarp " + projection + "-r bilinear " + quoted(file.path) + " projected.tif helps";
 }
 
 // Settles one file. Each step adds to `result` or throws.
@@ -221,7 +225,7 @@ private:
         const double sign = map.axis_sign();
         const CellSteps axes = {sum(centre->per_x, sign, {}, 0.0), sum(centre->per_y, -sign, {}, 0.0)};
         const double map_north = map.is_geographic() ? 0.0 : turn_deg(axes);
-        frame().map_north = Angle::from_degrees(map_north);
+        frame().map_north = Angle::from_degrees(std::abs(map_north) < 1e-9 ? 0.0 : map_north);
 
         const double unit_m = map.metres_per_unit() * sign;
         const bool honest = !map.is_geographic() && is_true_to_scale(*centre, map.metres_per_unit());
@@ -335,7 +339,7 @@ private:
                             : "its cells differ in size on the ground by a factor of "
                                   + plain_number(variation, 1) + " from edge to edge, at most "
                                   + plain_number(kVariationRefused, 0) + " can be used")
-                   + "; cut out a smaller part (gdal_translate -projwin), or " + warp_remedy(file_, frame()));
+                   + "; " + warp_remedy(file_, frame()));
         const double latitude = std::abs(frame().centre->latitude.degrees());
         if (variation > kVariationIgnored || (map.is_geographic() && latitude > kHighLatitude_deg))
             warn("cells differ in size by " + plain_number((variation - 1.0) * 100.0, 1)

@@ -147,7 +147,7 @@ struct RasterWriter::Open {
     std::size_t block_columns = 1;
 
 private:
-    void try_copy() const;
+    void try_out(const HeightFile& like) const;
     bool is_whole_blocks(std::size_t first_row, std::size_t first_column, std::size_t rows,
                          std::size_t columns) const;
 };
@@ -172,9 +172,9 @@ RasterWriter::Open::Open(const std::string& path, const HeightFile& like, const 
     driver = &output_driver(format, content);
     creation_options = completed_options(*driver, content, options);
     copies = format != "GTiff";
+    try_out(like);
     const GdalErrors errors;
     if (copies) {
-        try_copy();
         WriteOptions plain;
         plain.creation_options = {"ZLEVEL=1"};
         plain.threads = options.threads;
@@ -201,7 +201,7 @@ RasterWriter::Open::~Open()
 }
 
 // A few cells through the real driver: what it cannot hold shows now, not after the work.
-void RasterWriter::Open::try_copy() const
+void RasterWriter::Open::try_out(const HeightFile& like) const
 {
     const GdalErrors errors;
     Placement small{std::min<std::size_t>(placement.rows, 8),
@@ -214,13 +214,19 @@ void RasterWriter::Open::try_copy() const
         small.crs.reset(placement.crs->Clone());
     GDALDriver& memory = *GetGDALDriverManager()->GetDriverByName("MEM");
     const Dataset cells = created(memory, "", small, content, CPLStringList());
-    const std::string extension = std::filesystem::path(staged.path()).extension().string();
-    const std::string path = staged.scratch_path("trial" + extension);
-    const Dataset trial(driver->CreateCopy(path.c_str(), cells.get(), FALSE,
-                                           const_cast<char**>(creation_options.List()), nullptr, nullptr));
+    const std::string folder = staged.make_scratch_folder("trial");
+    const std::string name = std::filesystem::path(staged.path()).filename().string();
+    Dataset trial(driver->CreateCopy((folder + "/" + name).c_str(), cells.get(), FALSE,
+                                     const_cast<char**>(creation_options.List()), nullptr, nullptr));
     if (!trial)
         throw InvalidInput("the format " + std::string(driver->GetDescription())
                            + " cannot hold this result: " + errors.reason("GDAL does not say why"));
+    trial.reset();
+    for (const auto& file : std::filesystem::directory_iterator(folder))
+        if (file.path().filename() != name)
+            staged.require_replaceable_companion(
+                file.path().filename().string(),
+                [&like](const std::string& path) { return like.is_made_of(path); });
 }
 
 void RasterWriter::Open::fail(const GdalErrors& errors) const

@@ -405,9 +405,4 @@ Terrain read_terrain(HeightFile& file, const Execution& execution)
     return terrain;
 }
 
-void limit_gdal_cache(std::size_t bytes)
-{
-    GDALSetCacheMax64(static_cast<GIntBig>(bytes));
-}
-
 } // namespace duskline

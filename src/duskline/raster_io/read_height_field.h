@@ -114,8 +114,9 @@ private:
 /// when they do not fit in memory; Cancelled.
 Terrain read_terrain(HeightFile& file, const Execution& execution = {});
 
-/// Keeps GDAL's cache of decoded blocks, which is one for the whole process, under `bytes`. For programs;
-/// Duskline itself needs little of it.
-void limit_gdal_cache(std::size_t bytes);
+/// For programs, once, before they read: keeps GDAL's cache of decoded blocks under `cache_bytes` (Duskline
+/// needs little of it) and what GDAL's own threads complain of from stderr; it goes into our errors instead.
+/// Both are settings of the whole process, which a library must not touch unasked.
+void prepare_gdal_for_program(std::size_t cache_bytes = std::size_t{64} << 20U);
 
 } // namespace duskline

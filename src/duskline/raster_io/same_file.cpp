@@ -31,12 +31,12 @@ std::string without_virtual_prefix(std::string path)
     return path;
 }
 
-// The file on disk that a GDAL name is about: the longest leading part of it that is a file.
+// The file on disk that a GDAL name is about; of a virtual name, the longest leading part that is a file.
 std::optional<FileIdentity> file_behind(const std::string& name)
 {
     if (const auto identity = identity_of(name))
         return identity;
-    if (name.starts_with("/vsimem/"))
+    if (!name.starts_with("/vsi") || name.starts_with("/vsimem/"))
         return std::nullopt;
     std::string path = without_virtual_prefix(name);
     while (!path.empty()) {

@@ -97,6 +97,24 @@ void StagedOutput::require_replaceable() const
         refuse(shown_, "it exists; --overwrite replaces it");
 }
 
+std::string StagedOutput::make_scratch_folder(const std::string& name) const
+{
+    const std::string folder = scratch_path(name);
+    if (mkdir(folder.c_str(), 0777) != 0)
+        refuse(shown_, std::strerror(errno));
+    return folder;
+}
+
+void StagedOutput::require_replaceable_companion(
+    const std::string& name, const std::function<bool(const std::string&)>& is_input) const
+{
+    const std::string companion = (fs::path(target_).parent_path() / name).string();
+    if (is_input(companion))
+        refuse(shown_, "it would come with '" + companion + "', which is part of the input");
+    if (!overwrite_ && fs::exists(companion))
+        refuse(shown_, "it would come with '" + companion + "', which exists; --overwrite replaces it");
+}
+
 void StagedOutput::make_folders()
 {
     if (is_virtual_) {

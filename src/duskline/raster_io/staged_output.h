@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace duskline {
@@ -25,6 +26,14 @@ public:
 
     /// A name in the same folder for files that are not part of the result.
     std::string scratch_path(const std::string& name) const { return scratch_folder_ + "/" + name; }
+
+    /// A new folder there; a trial of the result in it shows which files it will have.
+    std::string make_scratch_folder(const std::string& name) const;
+
+    /// Throws OutputError when a file that would lie beside the result as `name` is there and may not be
+    /// replaced, or is one of those that may never be.
+    void require_replaceable_companion(const std::string& name,
+                                       const std::function<bool(const std::string&)>& is_input) const;
 
     /// Brings everything to disk and moves it to its place. Throws OutputError.
     void publish();
