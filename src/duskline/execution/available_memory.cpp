@@ -1,16 +1,13 @@
 #include <duskline/execution/available_memory.h>
-#include <duskline/geometry/invalid_input.h>
 
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <string>
 
 namespace duskline {
 
@@ -101,31 +98,11 @@ std::size_t free_address_space()
     return left(static_cast<std::size_t>(limit.rlim_cur), kilobytes.value_or(0) * 1024);
 }
 
-std::string gibibytes(double bytes)
-{
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.*f GiB", bytes < 1e9 ? 3 : 1,
-                  bytes / 1024.0 / 1024.0 / 1024.0);
-    return text.data();
-}
-
 } // namespace
 
 std::size_t available_memory_bytes()
 {
     return std::min({free_in_system(), free_in_containers(), free_address_space()});
-}
-
-void require_memory(std::size_t rows, std::size_t columns, std::size_t bytes_per_cell,
-                    const std::string& what)
-{
-    const std::size_t available = available_memory_bytes();
-    const double needed =
-        static_cast<double>(rows) * static_cast<double>(columns) * static_cast<double>(bytes_per_cell);
-    if (needed <= static_cast<double>(available))
-        return;
-    throw UnsupportedOnThisMachine(what + " need " + gibibytes(needed) + " of memory, "
-                                   + gibibytes(static_cast<double>(available)) + " are available");
 }
 
 } // namespace duskline

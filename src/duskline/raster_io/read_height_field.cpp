@@ -4,10 +4,10 @@
 // are in the cache, makes heights of them. Decoded blocks are dropped as soon as they were used: a raster is
 // read once, so nothing is gained by keeping it twice.
 
-#include <duskline/execution/available_memory.h>
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/raster_io/georeference.h>
 #include <duskline/raster_io/height_unit.h>
+#include <duskline/raster_io/memory_need.h>
 #include <duskline/raster_io/open_height_file.h>
 #include <duskline/raster_io/open_raster.h>
 #include <duskline/raster_io/plain_number.h>
@@ -388,9 +388,7 @@ bool HeightFile::is_made_of(const std::string& path) const
 
 Terrain read_terrain(HeightFile& file, const Execution& execution)
 {
-    require_memory(file.rows(), file.columns(), sizeof(float),
-                   "the heights of '" + file.facts().path + "' (" + std::to_string(file.rows()) + " rows x "
-                       + std::to_string(file.columns()) + " columns)");
+    require_memory(file.rows(), file.columns(), sizeof(float), "'" + file.facts().path + "'");
     Terrain terrain{Grid<float>(file.rows(), file.columns()), file.ground().cell_size_m};
     const std::size_t block = file.facts().block_rows;
     const std::size_t at_once =
