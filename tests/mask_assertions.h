@@ -41,7 +41,8 @@ testing::AssertionResult no_new_shadow(const ShadowMask& before, const ShadowMas
 /// Whether two grids of numbers have the same bits, any NaN being like any other.
 testing::AssertionResult same_bits(const Grid<float>& actual, const Grid<float>& expected);
 
-/// Cells that differ although no cell within `distance` of theirs, diagonally too, differs from them in `expected`.
+/// Cells that differ although no cell within `distance` of theirs, diagonally too, differs from them in
+/// `expected`.
 std::size_t differences_away_from_edges(const ShadowMask& actual, const ShadowMask& expected,
                                         std::size_t distance);
 

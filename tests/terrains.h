@@ -40,8 +40,8 @@ struct RandomTerrainOptions {
 /// altitudes of 5 to 60 degrees.
 Terrain random_terrain(Dice& dice, const RandomTerrainOptions& options = {});
 
-/// Any azimuth, with those along rows, columns and diagonals, and next to them, more often than chance has it;
-/// altitudes of 1 to 75 degrees, sometimes nearly 0 or 90.
+/// Any azimuth, with those along rows, columns and diagonals, and next to them, more often than chance has
+/// it; altitudes of 1 to 75 degrees, sometimes nearly 0 or 90.
 DirectionalLight random_light(Dice& dice);
 
 /// Calls `check(dice)` with `count` different seeds, and names the seed when it fails.

@@ -1,5 +1,6 @@
-// What every caster must satisfy, whatever its method: written over kCasters, so that a new caster is tested by
-// being in the table. What a caster that is not the truth may get wrong is said in mask_assertions.h.
+// What every caster must satisfy, whatever its method: written over kCasters, so that a new caster is
+// tested by being in the table. What a caster that is not the truth may get wrong is said in
+// mask_assertions.h.
 
 #include "mask_assertions.h"
 #include "terrains.h"
@@ -325,8 +326,8 @@ TEST_P(EveryCaster, ALineOfCellsShadesAlongItselfAndNotAcross)
 
 TEST_P(EveryCaster, AWallIsWatertightAtEveryAzimuth)
 {
-    // The thinnest wall that a caster owes: one cell for the exact ones; those that look only at samples along
-    // one family of lines find every wall whose samples overlap on them, which two cells do.
+    // The thinnest wall that a caster owes: one cell for the exact ones; those that look only at samples
+    // along one family of lines find every wall whose samples overlap on them, which two cells do.
     const double thickness_m = GetParam().exact ? 1.0 : 2.5;
     const Terrain north_south =
         make_wall({.grid = {.rows = 61, .columns = 61}, .height_m = 400.0, .thickness_m = thickness_m});
@@ -337,7 +338,8 @@ TEST_P(EveryCaster, AWallIsWatertightAtEveryAzimuth)
         const DirectionalLight light{.azimuth = Angle::from_degrees(side + from_normal), .altitude = 30_deg};
         const ShadowMask a = cast(north_south, light);
         const ShadowMask b = cast(east_west, turned(light));
-        // Near the middle of the wall, where no ray passes its ends; 27 cells away the shadow is still 380 m high.
+        // Near the middle of the wall, where no ray passes its ends; 27 cells away the shadow is still 380
+        // m high.
         for (std::size_t along = 29; along <= 31; ++along)
             for (std::size_t away = 4; away <= 26; ++away) {
                 const std::size_t far = side == 90.0 ? 30 - away : 30 + away;

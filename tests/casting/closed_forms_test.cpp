@@ -178,8 +178,8 @@ TEST_P(ClosedForms, AStepShadesItsHeightOverTheTangent)
 
 TEST_P(ClosedForms, AWallShadesItsHeightOverTheTangentTimesTheCosineOfTheAngleToItsNormal)
 {
-    // The wall runs north-south through the middle, three cells thick, 30 m high; only what passes it within the
-    // grid counts.
+    // The wall runs north-south through the middle, three cells thick, 30 m high; only what passes it
+    // within the grid counts.
     const Terrain wall = make_wall({.grid = kGrid, .height_m = 30.0, .thickness_m = 3.0});
     for (const double azimuth : kAzimuths)
         for (const double altitude : {60.0, 30.0, 20.0}) {
@@ -188,23 +188,26 @@ TEST_P(ClosedForms, AWallShadesItsHeightOverTheTangentTimesTheCosineOfTheAngleTo
             const double east = std::sin(radians(azimuth));
             const double north = std::cos(radians(azimuth));
             const double climb = std::tan(radians(altitude));
-            expect_shadow(wall, light,
-                          [&](Place place) {
-                              const double x = -place.away * east + place.across * north;
-                              const double y = -place.away * north - place.across * east;
-                              if (std::abs(east) < 1e-6 || std::abs(x) <= 1.0)
-                                  return false;
-                              // The ray ends at the far face's edge, a metre from the middle, or at the border; the ground
-                              // rises to the edge over the last metre, from one sample to the next.
-                              const double to_edge = (-std::copysign(1.0, east) - x) / east;
-                              const double to_border =
-                                  north == 0.0 ? to_edge : (std::copysign(75.0, north) - y) / north;
-                              const double to_end = std::min(to_edge, to_border);
-                              const double surface =
-                                  30.0 * std::clamp(2.0 - std::abs(x + to_end * east), 0.0, 1.0);
-                              return to_edge > 0.0 && to_end * climb < surface;
-                          },
-                          {.area_counts = false}); // straight edges come in whole cells
+            expect_shadow(
+                wall, light,
+                [&](Place place) -> std::optional<bool> {
+                    const double x = -place.away * east + place.across * north;
+                    const double y = -place.away * north - place.across * east;
+                    if (std::abs(east) < 1e-6 || std::abs(x) <= 1.0)
+                        return false;
+                    // Between its beams an inexact caster smears the foot of a cliff.
+                    if (!GetParam().exact && std::abs(x) < 2.5)
+                        return std::nullopt;
+                    // The ray ends at the far face's edge, a metre from the middle, or at the border;
+                    // the ground rises to the edge over the last metre, from one sample to the next.
+                    const double to_edge = (-std::copysign(1.0, east) - x) / east;
+                    const double to_border =
+                        north == 0.0 ? to_edge : (std::copysign(75.0, north) - y) / north;
+                    const double to_end = std::min(to_edge, to_border);
+                    const double surface = 30.0 * std::clamp(2.0 - std::abs(x + to_end * east), 0.0, 1.0);
+                    return to_edge > 0.0 && to_end * climb < surface;
+                },
+                {.area_counts = false}); // straight edges come in whole cells
         }
 }
 
@@ -298,8 +301,8 @@ TEST_P(ClosedForms, AHemisphericalPitIsDarkInACosineSquareOfItsPlan)
     }
 }
 
-// Where the shadow of a Gaussian ridge line of height `height` begins and ends, metres behind its crest; nothing
-// when it is nowhere as steep as the light.
+// Where the shadow of a Gaussian ridge line of height `height` begins and ends, metres behind its crest;
+// nothing when it is nowhere as steep as the light.
 struct Span {
     double begin = 0.0;
     double end = 0.0;
@@ -355,9 +358,10 @@ TEST_P(ClosedForms, APlaneThatFallsAwayFromTheLightIsDarkWhenSteeperThanItAndEls
                                               .aspect = Angle::from_degrees(azimuth + 180.0)});
             const ShadowMask mask =
                 GetParam().cast(plane, {.azimuth = Angle::from_degrees(azimuth), .altitude = 30_deg}, {});
-            // Nothing shades the cells on the border towards the light.
-            for (std::size_t row = 1; row < 40; ++row)
-                for (std::size_t column = 1; column < 40; ++column)
+            // Nothing shades the cells on the border towards the light, which an inexact caster smears.
+            const std::size_t border = GetParam().exact ? 1 : 4;
+            for (std::size_t row = border; row < 41 - border; ++row)
+                for (std::size_t column = border; column < 41 - border; ++column)
                     ASSERT_EQ(mask(row, column), slope > 30.0 ? Lit::no : Lit::yes)
                         << azimuth << ": " << row << ' ' << column;
         }

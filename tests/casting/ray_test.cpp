@@ -155,7 +155,8 @@ TEST(Ray, ACellInWhoseSightTheSurfaceIsAboveTheRayIsInShadowAndOneItTouchesIsLit
 
 TEST(Ray, TheSurfaceBetweenTwoSamplesIsStraight)
 {
-    // At 26.565 degrees from north a ray crosses row 1 halfway between columns 0 and 1, and column 1 on row 0.
+    // At 26.565 degrees from north a ray crosses row 1 halfway between columns 0 and 1, and column 1 on row
+    // 0.
     Terrain terrain{Grid<float>(3, 3, 0.0f), {1.0, 1.0}};
     terrain.heights_m(1, 1) = 8.0f;
     const DirectionalLight light{.azimuth = Angle::from_radians(std::atan(0.5)), .altitude = 10_deg};
