@@ -45,9 +45,11 @@ constexpr double kSteepestDrop_m = 1.0e15;
 
 // Beams in a strip: enough to stream along a row, few enough that the columns of a strip stay in the
 // translation look-aside buffer and its turned block in the second-level cache.
-constexpr std::ptrdiff_t kFewestBeams = 64;
-constexpr std::ptrdiff_t kMostBeamsAlongRows = 8192;
-constexpr std::ptrdiff_t kMostBeamsAlongColumns = 512;
+constexpr std::size_t kMostBeamsAlongRows = 8192;
+constexpr std::size_t kMostBeamsAlongColumns = 512;
+
+// Strips for each of several threads, so that one that comes late finds less to do.
+constexpr std::size_t kStripsPerThread = 2;
 
 // Columns turned at a time.
 constexpr std::size_t kLinesPerBlock = 64;
@@ -232,6 +234,45 @@ private:
     std::vector<Answer> turned_;
 };
 
+// Cuts the beams into at least `strips` strips of at most `widest` beams with about as many cells each: beams that
+// enter or leave the grid on the way meet fewer. Returns the first beam of each strip and the end of the last.
+std::vector<std::ptrdiff_t> strips_of_equal_work(const SweepLines& lines, std::size_t strips,
+                                                 std::size_t widest)
+{
+    // How many lines lie before the beams have moved by `whole` cells.
+    const std::ptrdiff_t least = lines.shifts[0].whole;
+    const std::ptrdiff_t most = lines.shifts[lines.lines - 1].whole;
+    std::vector<std::size_t> lines_before(static_cast<std::size_t>(most - least) + 2, lines.lines);
+    for (std::size_t i = lines.lines; i-- > 0;)
+        lines_before[static_cast<std::size_t>(lines.shifts[i].whole - least)] = i;
+    const auto before = [&](std::ptrdiff_t whole) {
+        return lines_before[static_cast<std::size_t>(std::clamp(whole, least, most + 1) - least)];
+    };
+    const auto cells = static_cast<std::ptrdiff_t>(lines.cells);
+    const auto work = [&](std::ptrdiff_t beam) { // lines on which 0 <= beam + sideways * whole < cells
+        return 1
+               + (lines.sideways > 0 ? before(cells - beam) - before(-beam)
+                                     : before(beam + 1) - before(beam - cells + 1));
+    };
+
+    std::size_t total = 0;
+    for (std::ptrdiff_t beam = lines.first_beam; beam < lines.last_beam; ++beam)
+        total += work(beam);
+    const std::size_t share = total / strips + 1;
+    std::vector<std::ptrdiff_t> bounds{lines.first_beam};
+    std::size_t done = 0;
+    for (std::ptrdiff_t beam = lines.first_beam; beam < lines.last_beam; ++beam) {
+        const auto width = static_cast<std::size_t>(beam - bounds.back());
+        if (width > 0 && (done >= share || width == widest)) {
+            bounds.push_back(beam);
+            done = 0;
+        }
+        done += work(beam);
+    }
+    bounds.push_back(lines.last_beam);
+    return bounds;
+}
+
 SweepFront front_for(const HeightField& field, const LightFrame& frame)
 {
     const std::size_t lines = frame.lines_are_rows ? field.rows() : field.columns();
@@ -294,33 +335,33 @@ void SweepFront::advance_strips(const LightOrder<const float>& heights, const Li
     for (std::size_t i = 0; i < shifts.size(); ++i)
         shifts[i] = kernels::beam_shift(frame_.lateral, next_line_ + i);
 
-    const auto beams = static_cast<std::ptrdiff_t>(front_m_.size()) - 2;
-    const auto threads = static_cast<std::ptrdiff_t>(thread_count(execution));
-    const std::ptrdiff_t shared = threads == 1 ? beams : beams / (4 * threads);
-    const std::ptrdiff_t width =
-        std::clamp(shared, kFewestBeams, rows ? kMostBeamsAlongRows : kMostBeamsAlongColumns);
+    SweepLines lines;
+    lines.cells = cells_;
+    lines.first_line = next_line_;
+    lines.lines = heights.lines;
+    lines.shifts = shifts.data();
+    lines.sideways = frame_.lateral < 0.0 ? -1 : 1;
+    lines.drop_m = static_cast<float>(frame_.drop_m);
+    lines.first_beam = first_beam_;
+    lines.last_beam = first_beam_ + static_cast<std::ptrdiff_t>(front_m_.size()) - 2;
 
-    for_rows(static_cast<std::size_t>(beams), static_cast<std::size_t>(width), execution,
-             [&](std::size_t first, std::size_t last) {
-                 std::vector<float> front(front_m_.begin() + static_cast<std::ptrdiff_t>(first),
-                                          front_m_.begin() + static_cast<std::ptrdiff_t>(last) + 2);
-                 std::vector<float> other = front;
-                 SweepLines lines;
-                 lines.cells = cells_;
-                 lines.first_line = next_line_;
-                 lines.lines = heights.lines;
-                 lines.shifts = shifts.data();
-                 lines.sideways = frame_.lateral < 0.0 ? -1 : 1;
-                 lines.drop_m = static_cast<float>(frame_.drop_m);
-                 lines.first_beam = first_beam_ + static_cast<std::ptrdiff_t>(first);
-                 lines.last_beam = first_beam_ + static_cast<std::ptrdiff_t>(last);
-                 lines.front = front.data();
-                 lines.other_front = other.data();
-                 Strip<Answer> strip(*kernels_, lines, heights, answers);
-                 const float* newer = rows ? strip.carry_over_rows() : strip.carry_over_columns();
-                 std::copy_n(newer + 1, last - first,
-                             next_front_m_.begin() + static_cast<std::ptrdiff_t>(first) + 1);
-             });
+    const std::size_t threads = thread_count(execution);
+    const auto strips = strips_of_equal_work(lines, threads == 1 ? 1 : kStripsPerThread * threads,
+                                             rows ? kMostBeamsAlongRows : kMostBeamsAlongColumns);
+    for_rows(strips.size() - 1, 1, execution, [&](std::size_t i, std::size_t) {
+        const auto first = strips[i] - lines.first_beam; // of the front
+        const auto last = strips[i + 1] - lines.first_beam;
+        std::vector<float> front(front_m_.begin() + first, front_m_.begin() + last + 2);
+        std::vector<float> other = front;
+        SweepLines own = lines;
+        own.first_beam = strips[i];
+        own.last_beam = strips[i + 1];
+        own.front = front.data();
+        own.other_front = other.data();
+        Strip<Answer> strip(*kernels_, own, heights, answers);
+        const float* newer = rows ? strip.carry_over_rows() : strip.carry_over_columns();
+        std::copy_n(newer + 1, last - first, next_front_m_.begin() + first + 1);
+    });
     std::swap(front_m_, next_front_m_);
     next_line_ += heights.lines;
 }
