@@ -118,6 +118,25 @@ TEST_F(WriteRasters, LieOnTheGridOfTheInputAndSayWhatTheyAre)
     EXPECT_EQ(height, 256);
 }
 
+TEST_F(WriteRasters, WithRowsAndColumnsOfTheirOwnCoverTheSameGround)
+{
+    const HeightFile like(made({.rows = 60, .columns = 40}));
+    RasterContent content = kMask;
+    content.rows = 30;
+    content.columns = 10;
+    RasterWriter writer(path("small.tif"), like, content);
+    const Grid<std::uint8_t> values(30, 10, 7);
+    writer.write(0, 0, values.view());
+    writer.finish();
+    const Dataset small = opened(path("small.tif"));
+    ASSERT_TRUE(small);
+    EXPECT_EQ(small->GetRasterXSize(), 10);
+    EXPECT_EQ(small->GetRasterYSize(), 30);
+    std::array<double, 6> gt{};
+    ASSERT_EQ(small->GetGeoTransform(gt.data()), CE_None);
+    EXPECT_THAT(gt, ElementsAre(500000.0, 40.0, 0.0, 4000000.0, 0.0, -20.0));
+}
+
 TEST_F(WriteRasters, PointRastersStayPointRasters)
 {
     {

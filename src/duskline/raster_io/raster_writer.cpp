@@ -33,9 +33,24 @@ struct Placement {
     std::string area_or_point;
 };
 
-Placement placement_of(GDALDataset& dataset, const HeightFileFacts& facts)
+// Other rows and columns over the same ground.
+void resample(Placement& placement, std::size_t rows, std::size_t columns)
+{
+    if (placement.geotransform) {
+        auto& gt = *placement.geotransform;
+        const double wider = static_cast<double>(placement.columns) / static_cast<double>(columns);
+        const double higher = static_cast<double>(placement.rows) / static_cast<double>(rows);
+        gt = {gt[0], gt[1] * wider, gt[2] * higher, gt[3], gt[4] * wider, gt[5] * higher};
+    }
+    placement.rows = rows;
+    placement.columns = columns;
+}
+
+Placement placement_of(GDALDataset& dataset, const HeightFileFacts& facts, const RasterContent& content)
 {
     Placement placement{facts.rows, facts.columns, facts.ground, facts.geotransform, nullptr, ""};
+    resample(placement, content.rows == 0 ? facts.rows : content.rows,
+             content.columns == 0 ? facts.columns : content.columns);
     if (const OGRSpatialReference* crs = dataset.GetSpatialRef())
         placement.crs.reset(crs->Clone());
     if (const char* convention = dataset.GetMetadataItem("AREA_OR_POINT"))
@@ -165,7 +180,7 @@ const std::string& checked_target(const std::string& path, const HeightFile& lik
 
 RasterWriter::Open::Open(const std::string& path, const HeightFile& like, const RasterContent& what,
                          const WriteOptions& options)
-    : placement(placement_of(*like.open_->dataset, like.facts())), content(what),
+    : placement(placement_of(*like.open_->dataset, like.facts(), what)), content(what),
       staged(checked_target(path, like), options.overwrite)
 {
     const std::string format = output_format(path, options);

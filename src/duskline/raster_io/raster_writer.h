@@ -35,6 +35,8 @@ enum class Samples {
 
 struct RasterContent {
     Samples samples = Samples::byte;
+    std::size_t rows = 0;    ///< over the same ground as the file of heights; 0: as many as that has
+    std::size_t columns = 0; ///< likewise
     std::optional<double> no_data = {}; ///< declared in the file
     bool classes = false;               ///< values are codes: overviews take the most frequent, not the mean
     std::string description = {};       ///< of the band
@@ -49,7 +51,8 @@ std::string output_format(const std::string& path, const WriteOptions& options);
 /// Whether that format is one of pictures (PNG, JPEG, ...), which people look at rather than compute with.
 bool is_picture_format(const std::string& format);
 
-/// A raster on the grid of a height file: the same rows and columns, coordinate system and geotransform.
+/// A raster on the grid of a height file: the same rows and columns, coordinate system and geotransform; or
+/// with rows and columns of its own over the same ground.
 ///
 /// Everything goes to a temporary folder `.duskline-*` beside the target. `finish` moves it in place in one
 /// step once it is whole and on disk. Without `finish` (an error, a stop) nothing is left, and a file that
