@@ -82,10 +82,12 @@ ChosenLight light_by_time(const SunlightOptions& options, const LightSite& site,
                     to_iso8601({options.time->utc}), in_words(*chosen.place), chosen.sun->azimuth.degrees(),
                     chosen.sun->apparent_altitude().degrees(), chosen.sun->refraction.degrees(),
                     options.air.pressure_mbar, options.air.temperature_c));
-    if (site.true_to_grid_north != Angle())
-        report.note(fmt::format(
-            "azimuth {:.4f} from the raster's north, which lies {:.4f} degrees east of true north",
-            chosen.light.azimuth.degrees(), -site.true_to_grid_north.degrees()));
+    const double grid_north_deg = std::remainder(-site.true_to_grid_north.degrees(), 360.0);
+    if (grid_north_deg != 0.0)
+        report.note(
+            fmt::format("azimuth {:.4f} from the raster's north, which lies {:.4f} degrees {} of true north",
+                        chosen.light.azimuth.degrees(), std::abs(grid_north_deg),
+                        grid_north_deg < 0.0 ? "west" : "east"));
     return chosen;
 }
 
@@ -156,8 +158,8 @@ Place choose_place(const SunlightOptions& options, const LightSite& site, Report
 {
     if (site.body != "Earth")
         throw UsageError(
-            fmt::format("the sun's place in the sky is known over the Earth, and this raster lies on "
-                        "another body ({}): give --azimuth and --altitude",
+            fmt::format("the sun of a moment is known over the Earth only, and this raster lies on another "
+                        "body ({}); shadows can be cast with --azimuth and --altitude",
                         site.body));
     if (options.at)
         return *options.at;

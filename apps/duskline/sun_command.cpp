@@ -2,27 +2,42 @@
 #include "exit_code.h"
 #include "help_page.h"
 #include "light_options.h"
+#include "raster_site.h"
 #include "report.h"
 #include "run_options.h"
 
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/light/day.h>
+#include <duskline/raster_io/read_height_field.h>
 
 #include <fmt/format.h>
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace duskline::cli {
 namespace {
 
 struct SunCommandOptions {
+    std::string raster; // empty: none
+    std::vector<std::string> open_options;
     SunlightOptions sunlight;
     std::optional<CalendarDate> date;
     std::optional<std::chrono::minutes> utc_offset;
     RunOptions run;
 };
+
+void add_raster(CLI::App& app, SunCommandOptions& options)
+{
+    app.add_option("INPUT", options.raster,
+                   "elevation model whose centre is the place, and whose north counts");
+    app.add_option("--oo", options.open_options, "open option of the input's GDAL driver; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false)
+        ->group("Input");
+}
 
 void add_date(CLI::App& app, SunCommandOptions& options)
 {
@@ -64,17 +79,22 @@ std::string name_of(SunDayKind kind)
 }
 
 // Where the sun is at one moment, for a place and, with a raster, its grid.
-void report_position(const ChosenLight& chosen, Report& report)
+void report_position(const ChosenLight& chosen, const std::string& raster, Report& report)
 {
     const SunPosition& sun = *chosen.sun;
     report.line(
         fmt::format("azimuth     {:10.4f}  degrees clockwise from true north", sun.azimuth.degrees()));
+    if (!raster.empty())
+        report.line(fmt::format("            {:10.4f}  degrees clockwise from the north of {}",
+                                chosen.light.azimuth.degrees(), raster));
     report.line(fmt::format("altitude    {:10.4f}  degrees above the horizontal, {:.4f} of it refraction",
                             sun.apparent_altitude().degrees(), sun.refraction.degrees()));
     report.line(fmt::format("disc        {:10.4f}  degrees across", sun.angular_diameter.degrees()));
     report.field("time", to_iso8601(*chosen.time));
     report.field("time_utc", to_iso8601({chosen.time->utc}));
     report.field("azimuth_deg", sun.azimuth.degrees());
+    if (!raster.empty())
+        report.field("grid_azimuth_deg", chosen.light.azimuth.degrees());
     report.field("altitude_deg", sun.apparent_altitude().degrees());
     report.field("geometric_altitude_deg", sun.geometric_altitude.degrees());
     report.field("refraction_deg", sun.refraction.degrees());
@@ -125,14 +145,26 @@ void require_time_or_date(const SunCommandOptions& options)
         throw UsageError("give --time such as 2026-06-21T18:30-10:00, or --date such as 2026-06-21");
 }
 
+LightSite site_of(const SunCommandOptions& options, Report& report)
+{
+    if (options.raster.empty() && !options.sunlight.at)
+        throw UsageError(
+            "give the place the sun is seen from: --at LON,LAT such as -155.47,19.82, or a raster");
+    if (options.raster.empty())
+        return {};
+    const HeightFile file(options.raster, {.open_options = options.open_options});
+    report.field("input", options.raster);
+    return light_site(file.ground());
+}
+
 void run_sun(const SunCommandOptions& options)
 {
     require_time_or_date(options);
     Report report("sun", options.run);
-    const LightSite site;
-    if (!options.sunlight.at)
-        throw UsageError("give the place the sun is seen from: --at LON,LAT such as -155.47,19.82");
-    const Place place = choose_place(options.sunlight, site, report);
+    const LightSite site = site_of(options, report);
+    SunlightOptions sunlight = options.sunlight;
+    sunlight.at = choose_place(options.sunlight, site, report);
+    const Place& place = *sunlight.at;
     report.field("longitude_deg", place.longitude.degrees());
     report.field("latitude_deg", place.latitude.degrees());
 
@@ -140,7 +172,7 @@ void run_sun(const SunCommandOptions& options)
     const std::chrono::minutes utc_offset = options.utc_offset.value_or(time.utc_offset);
     if (options.sunlight.time) {
         report.line(fmt::format("{} seen from {}", to_iso8601({time.utc, utc_offset}), in_words(place)));
-        report_position(choose_light({.sun = options.sunlight}, site, report), report);
+        report_position(choose_light({.sun = sunlight}, site, report), options.raster, report);
     } else {
         report.line(fmt::format("The day seen from {}", in_words(place)));
     }
@@ -158,11 +190,14 @@ Run declare_sun(CLI::App& app)
         app,
         "Prints the sun's direction at a moment, and when it rises, stands highest and sets that day over "
         "an open horizon: upper limb, usual refraction, 0.8333 degrees below the horizontal.");
+    add_raster(app, *options);
     add_sunlight_options(app, options->sunlight);
     add_date(app, *options);
     add_report_options(app, options->run);
     add_example(app, "the sun over Mauna Kea on a summer evening",
                 "duskline sun --time 2026-06-21T18:30-10:00 --at -155.47,19.82");
+    add_example(app, "the same from the centre of a raster, with the azimuth in its grid",
+                "duskline sun dem.tif --time 2026-06-21T18:30-10:00");
     add_example(app, "when it rises and sets there, by the clock of Hawaii",
                 "duskline sun --date 2026-06-21 --utc-offset -10:00 --at -155.47,19.82");
     return [options] { run_sun(*options); };

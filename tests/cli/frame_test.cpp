@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
                                  "no option is called '--tiem' (see duskline sun --help)"},
                       WrongUsage{{"sun", "--time"}, "--time needs a value (see duskline sun --help)"},
                       WrongUsage{{"sun", "--at", "0,0", "--at", "1,1"}, "--at may be given once"},
-                      WrongUsage{{"sun", "--at", "0,0", "there"}, "'there' is one argument too many"},
+                      WrongUsage{{"sun", "here", "there"}, "'there' is one argument too many"},
                       WrongUsage{{"sun", "--time=", "--at", "0,0"}, "--time '"},
                       WrongUsage{{"sun", "--json=perhaps", "--time", "2026-06-21T12:00Z"}, "json"}));
 

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <sstream>
+
 namespace duskline::cli_test {
 namespace {
 
@@ -74,6 +77,72 @@ TEST_F(SunCommand, WithoutAirThereIsNoRefraction)
         run_for_json({"--time", "2026-06-22T04:30Z", "--at", "-155.47,19.82", "--pressure", "0"});
     EXPECT_EQ(sun["refraction_deg"].get<double>(), 0.0);
     EXPECT_EQ(sun["altitude_deg"], sun["geometric_altitude_deg"]);
+}
+
+// A flat raster of 10 x 10 cells around a point of its coordinate system, as GDAL's text format.
+std::string flat_raster(const std::string& crs, double x, double y, double cell)
+{
+    std::ostringstream text;
+    text << "<VRTDataset rasterXSize='10' rasterYSize='10'><SRS>" << crs << "</SRS><GeoTransform>"
+         << x - 5 * cell << ',' << cell << ",0," << y + 5 * cell << ",0," << -cell
+         << "</GeoTransform><VRTRasterBand dataType='Float32' band='1'/></VRTDataset>";
+    return text.str();
+}
+
+TEST_F(SunCommand, TakesPlaceAndNorthFromARaster)
+{
+    write_file("hawaii.vrt", flat_raster("EPSG:32605", 245000, 2168000, 75));
+    const auto sun = run_for_json({"hawaii.vrt", "--time", "2026-06-21T18:30-10:00"});
+    const double radians = std::acos(-1.0) / 180.0;
+    const double longitude = sun["longitude_deg"].get<double>();
+    const double latitude = sun["latitude_deg"].get<double>();
+    EXPECT_NEAR(longitude, -155.43, 0.01);
+    EXPECT_NEAR(latitude, 19.59, 0.01);
+    // The convergence of a transverse Mercator projection on a sphere; zone 5 has its meridian at 153 W.
+    const double convergence =
+        std::atan(std::tan((longitude + 153.0) * radians) * std::sin(latitude * radians)) / radians;
+    EXPECT_NEAR(sun["grid_azimuth_deg"].get<double>(), sun["azimuth_deg"].get<double>() - convergence, 0.005);
+    EXPECT_GT(sun["grid_azimuth_deg"].get<double>(), sun["azimuth_deg"].get<double>() + 0.5);
+}
+
+TEST_F(SunCommand, LetsThePlaceBeAnotherThanTheRastersCentre)
+{
+    write_file("hawaii.vrt", flat_raster("EPSG:32605", 245000, 2168000, 75));
+    const auto sun = run_for_json({"hawaii.vrt", "--at", "-156,20", "--time", "2026-06-21T18:30-10:00"});
+    EXPECT_EQ(sun["longitude_deg"], -156.0);
+    EXPECT_EQ(sun["latitude_deg"], 20.0);
+}
+
+TEST_F(SunCommand, KnowsNoSunOverTheMoon)
+{
+    write_file("moon.vrt", flat_raster("GEOGCS[\"Moon\",DATUM[\"Moon\",SPHEROID[\"Moon\",1737400,0]],"
+                                       "PRIMEM[\"Reference\",0],UNIT[\"degree\",0.0174532925199433]]",
+                                       -11, -43, 0.01));
+    const Finished finished = run({"sun", "moon.vrt", "--time", "2026-06-21T18:30Z"});
+    EXPECT_EQ(finished.exit_code, 2);
+    EXPECT_TRUE(is_one_error_line(finished.err));
+    EXPECT_THAT(finished.err, HasSubstr("another body (Moon)"));
+}
+
+TEST_F(SunCommand, NeedsAPlaceWhereTheRasterHasNone)
+{
+    write_file("nowhere.vrt", flat_raster("", 0, 0, 10));
+    const Finished finished = run({"sun", "nowhere.vrt", "--time", "2026-06-21T18:30Z"});
+    EXPECT_EQ(finished.exit_code, 2);
+    EXPECT_TRUE(is_one_error_line(finished.err));
+    EXPECT_THAT(finished.err, HasSubstr("give --at LON,LAT"));
+    EXPECT_EQ(run({"sun", "nowhere.vrt", "--time", "2026-06-21T18:30Z", "--at", "0,0"}).exit_code, 0);
+}
+
+TEST_F(SunCommand, FailsWithCode3OnAnInputThatIsNone)
+{
+    write_file("text.tif", "not a raster");
+    for (const char* input : {"missing.tif", "text.tif", "."}) {
+        const Finished finished = run({"sun", input, "--time", "2026-06-21T18:30Z"});
+        EXPECT_EQ(finished.exit_code, 3) << input;
+        EXPECT_TRUE(is_one_error_line(finished.err)) << input;
+        EXPECT_EQ(finished.out, "") << input;
+    }
 }
 
 struct WrongSun {
