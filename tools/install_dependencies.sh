@@ -10,7 +10,7 @@ set -euo pipefail
 
 build=(g++ make cmake ninja-build pkg-config libtbb-dev libhwy-dev libgdal-dev liberfa-dev libcli11-dev
        libfmt-dev nlohmann-json3-dev)
-test=(git python3 libgtest-dev libgmock-dev libbenchmark-dev gdal-bin proj-bin clang-format)
+test=(git python3 groff-base libgtest-dev libgmock-dev libbenchmark-dev gdal-bin proj-bin clang-format)
 check=(clang clang-format clang-tidy)
 
 stop() {
