@@ -205,6 +205,45 @@ TEST(Ray, ACrossingNextToAHoleIsSkippedAndOneOnASampleIsNot)
     EXPECT_EQ(lit(-5.0), Lit::yes);
 }
 
+TEST(Ray, AHairBesideTheDiagonalTheSamplesOnItStillCount)
+{
+    // Nothing is known but the diagonal; at its end, in the corner of the grid, stands a tower.
+    Terrain terrain{Grid<float>(30, 30, kNan), {1.0, 1.0}};
+    for (std::size_t i = 0; i < 30; ++i)
+        terrain.heights_m(i, 29 - i) = 0.0f;
+    terrain.heights_m(0, 29) = 50.0f;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        for (const double beside : {0.0, 1e-9, -1e-9, 1e-12, -1e-12, 1.0, -1.0}) {
+            DirectionalLight light{.azimuth = Angle::from_degrees(45.0 + 90.0 * quarter + beside),
+                                   .altitude = 45_deg};
+            const ShadowMask mask = cast_by_ray(terrain, light);
+            const auto dark = std::ranges::count(mask.values(), Lit::no);
+            EXPECT_EQ(dark, std::abs(beside) < 0.5 ? 29 : 0) << described(light);
+        }
+        terrain = turned(terrain);
+    }
+}
+
+TEST(Ray, AFrameOfNoDataChangesNoBit)
+{
+    for_seeds(150, [](Dice& dice) {
+        const Terrain terrain = random_terrain(dice, {.largest = 25});
+        const std::size_t rows = terrain.heights_m.rows();
+        const std::size_t columns = terrain.heights_m.columns();
+        DirectionalLight light = random_light(dice);
+        if (dice.chance(0.5)) // rays through corners
+            light.azimuth = Angle::from_degrees(45.0 + 90.0 * static_cast<double>(dice.below(4))
+                                                + (dice.chance(0.5) ? 1e-9 : -1e-9));
+        const Terrain framed_terrain = framed_by_no_data(terrain, 1);
+        const ShadowField framed = shadow_heights_by_ray(framed_terrain, light);
+        ShadowField inside(rows, columns);
+        for (std::size_t row = 0; row < rows; ++row)
+            for (std::size_t column = 0; column < columns; ++column)
+                inside(row, column) = framed(row + 1, column + 1);
+        EXPECT_TRUE(same_bits(inside, shadow_heights_by_ray(terrain, light))) << described(light);
+    });
+}
+
 TEST(Ray, NothingIsCutOffByTheHighestGround)
 {
     // Every cell in turn is the only tower, and the ray that just reaches its top from far away must see it.

@@ -82,22 +82,18 @@ public:
         double drop_m;
     };
 
-    /// A start from which no line or cell of the grid is far away: the start itself, or, for one a cell or
-    /// more before the first line or cell, where its ray comes within a cell or two of the grid. Distances
-    /// from there are small enough to count. A ray that never comes near stays outside.
+    /// A start from which the grid's lines are not far away: the start itself, or, for one before the first
+    /// line, where its ray comes to within a line of that. Distances from there are small enough to count.
     Entry entry(const RayStart& start) const
     {
-        const double lines = static_cast<double>(-1 - start.line);
-        const double cells = static_cast<double>(-1 - start.cell);
-        const double ahead = std::max(lines, cells > 0.0 ? std::floor(cells / slope_) : 0.0);
-        if (!(ahead > 0.0))
+        if (start.line >= -1)
             return {start, 0.0};
-        if (!(ahead <= static_cast<double>(last_line_ - start.line)))
-            return {{.line = last_line_ + 1}, 0.0};
-        const double sideways = start.cell_part + slope_ * ahead;
-        const double whole = std::floor(sideways);
-        return {{start.line + static_cast<std::int64_t>(ahead), start.cell + static_cast<std::int64_t>(whole),
-                 start.line_part, sideways - whole},
+        const std::int64_t lines = -1 - start.line;
+        const auto ahead = static_cast<double>(lines);
+        const double cells = start.cell_part + slope_ * ahead;
+        const double whole = std::floor(cells);
+        return {{start.line + lines, start.cell + static_cast<std::int64_t>(whole), start.line_part,
+                 cells - whole},
                 drop_m_ * ahead};
     }
 
