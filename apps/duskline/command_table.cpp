@@ -4,11 +4,13 @@
 
 namespace duskline::cli {
 
+Run declare_shadow(CLI::App& app);
 Run declare_sun(CLI::App& app);
 
 std::span<const Command> commands()
 {
     static constexpr std::array kCommands = {
+        Command{"shadow", "which cells are in the light, and which in the shadow of others", declare_shadow},
         Command{"sun", "where the sun is, and when it rises and sets", declare_sun},
     };
     return kCommands;

@@ -44,8 +44,8 @@ void add_curvature(CLI::App& app, InputOptions& options)
                    {.names = "--curvature",
                     .unit = "C",
                     .text = "how much the ground falls away under a ray of light: 1 round earth "
-                            "without air, 0.857 (6/7) with usual air, 0 flat; 6/7 when the "
-                            "raster has a CRS, else 0",
+                            "without air, 0.857 (6/7) with usual air, 0 flat; else 6/7 on the "
+                            "Earth, 1 on other bodies, 0 without a CRS",
                     .range = {.least = 0.0, .most = 1.0}},
                    options.curvature)
             ->group(kGroup);
@@ -70,6 +70,19 @@ void add_input_options(CLI::App& app, InputOptions& options)
     app.add_option("--oo", options.open_options, "open option of the input's GDAL driver; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false)
+        ->group(kGroup);
+    add_number(app,
+               {.names = "--cell-size",
+                .unit = "METRES",
+                .text = "width and height of a cell; else the file says",
+                .range = {.least = 0.0, .above = true}},
+               options.cell_size_m)
+        ->group(kGroup);
+    add_number(app,
+               {.names = "--nodata",
+                .unit = "VALUE",
+                .text = "a stored number that means no data, besides those the file declares"},
+               options.no_data)
         ->group(kGroup);
     add_unit(app, options);
     add_curvature(app, options);

@@ -20,4 +20,12 @@ void add_output_options(CLI::App& app, OutputOptions& options)
         ->group(group);
 }
 
+WriteOptions write_options(const OutputOptions& options, const RunOptions& run)
+{
+    return {.format = options.format,
+            .creation_options = options.creation_options,
+            .overwrite = options.overwrite,
+            .threads = run.threads};
+}
+
 } // namespace duskline::cli

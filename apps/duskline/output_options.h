@@ -1,5 +1,9 @@
 #pragma once
 
+#include "run_options.h"
+
+#include <duskline/raster_io/raster_writer.h>
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -17,5 +21,8 @@ struct OutputOptions {
 
 /// `options` must outlive `app`'s parsing. Call after add_input_options: INPUT comes first.
 void add_output_options(CLI::App& app, OutputOptions& options);
+
+/// The same for whoever writes.
+WriteOptions write_options(const OutputOptions& options, const RunOptions& run);
 
 } // namespace duskline::cli

@@ -33,6 +33,7 @@ public:
 
     /// The summary for machines itself, for what is not one flat field.
     nlohmann::ordered_json& json() { return json_; }
+    const nlohmann::ordered_json& json() const { return json_; }
 
     /// Writes the summary. Throws StandardOutputError when it cannot be written.
     void finish();

@@ -1,0 +1,237 @@
+#include "command.h"
+#include "exit_code.h"
+#include "height_input.h"
+#include "help_page.h"
+#include "light_options.h"
+#include "output_options.h"
+#include "progress_bar.h"
+#include "raster_site.h"
+#include "raster_tags.h"
+#include "report.h"
+#include "run_options.h"
+#include "shadow_codes.h"
+#include "shadow_job.h"
+#include "stopwatch.h"
+
+#include <duskline/raster_io/memory_need.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace duskline::cli {
+namespace {
+
+struct ShadowOptions {
+    InputOptions input;
+    OutputOptions output;
+    LightOptions light;
+    std::string caster; // empty: the default
+    bool heights = false;
+    bool classes = false;
+    MaskCodeOptions codes;
+    RunOptions run;
+};
+
+// The best there is for one answer about a whole raster.
+std::string_view default_caster()
+{
+    const auto exact = std::ranges::find(kCasters, "exact", &Caster::name);
+    return exact != kCasters.end() ? exact->name : "sweep";
+}
+
+ShadowResult chosen_result(const ShadowOptions& options)
+{
+    if (options.heights)
+        return ShadowResult::heights;
+    return options.classes ? ShadowResult::classes : ShadowResult::mask;
+}
+
+std::string encoding_in_words(ShadowResult result, const MaskCodes& codes, const HeightFileFacts& facts)
+{
+    switch (result) {
+    case ShadowResult::heights:
+        return fmt::format("height a point needs to be in the sun, {}; -9999 no data", facts.height_unit);
+    case ShadowResult::classes:
+        return "0 lit, 1 self-shaded, 2 cast shadow, 255 no data";
+    case ShadowResult::mask:
+        break;
+    }
+    return in_words(codes);
+}
+
+std::string band_description(ShadowResult result, const ChosenLight& chosen)
+{
+    const std::string light = chosen.time
+                                  ? to_iso8601(*chosen.time)
+                                  : fmt::format("azimuth {:g}, altitude {:g}", chosen.light.azimuth.degrees(),
+                                                chosen.light.altitude.degrees());
+    const char* what = result == ShadowResult::heights   ? "shadow height"
+                       : result == ShadowResult::classes ? "shadow class"
+                                                         : "sunlit";
+    return fmt::format("{} {}", what, light);
+}
+
+RasterContent content_of(const ShadowOptions& options, const HeightFile& file, const ChosenLight& chosen,
+                         const EarthCurvature& curvature, const Caster& caster, const MaskCodes& codes,
+                         const Report& report)
+{
+    const ShadowResult result = chosen_result(options);
+    RasterContent content;
+    content.samples = result == ShadowResult::heights ? Samples::real : Samples::byte;
+    content.classes = result != ShadowResult::heights;
+    content.no_data = result == ShadowResult::heights   ? static_cast<double>(kNoHeight)
+                      : result == ShadowResult::classes ? 255.0
+                                                        : static_cast<double>(codes.no_data);
+    content.description = band_description(result, chosen);
+    if (result == ShadowResult::heights)
+        content.unit = file.facts().metres_per_unit == 1.0 ? "m" : file.facts().height_unit;
+    content.tags = light_tags(chosen, file);
+    add_tag(content.tags, "CASTER", std::string(caster.name));
+    add_tag(content.tags, "ENCODING", encoding_in_words(result, codes, file.facts()));
+    add_height_tags(content.tags, file, curvature);
+    add_assumptions(content.tags, report);
+    return content;
+}
+
+std::string share(std::size_t part, std::size_t all)
+{
+    return fmt::format("{:.2f} %",
+                       all == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(all));
+}
+
+void report_outcome(const ShadowOptions& options, const ShadowOutcome& outcome, double total_s,
+                    const Caster& caster, Report& report)
+{
+    const LitCount& count = outcome.count;
+    report.line(fmt::format("{}: {} lit, {} in shadow, {} without data, of {} cells", options.output.path,
+                            share(count.lit, count.cells()), share(count.shadow, count.cells()),
+                            share(count.no_data, count.cells()), count.cells()));
+    report.field("output", options.output.path);
+    report.field("caster", caster.name);
+    report.field("cells", count.cells());
+    report.field("lit", count.lit);
+    report.field("shadow", count.shadow);
+    report.field("no_data", count.no_data);
+    report.json()["seconds"] = {{"reading", outcome.reading_s},
+                                {"casting", outcome.casting_s},
+                                {"writing", outcome.writing_s},
+                                {"total", total_s}};
+    if (options.run.verbose)
+        report.note(fmt::format(
+            "{:.3f} s in all; reading {:.3f} s, casting {:.3f} s, writing {:.3f} s{}", total_s,
+            outcome.reading_s, outcome.casting_s, outcome.writing_s,
+            outcome.reading_s + outcome.casting_s + outcome.writing_s > total_s ? ", at the same time" : ""));
+}
+
+void report_light(const ChosenLight& chosen, const EarthCurvature& curvature, const HeightFile& file,
+                  Report& report)
+{
+    const Angle from_map_north = wrapped_to_circle(chosen.light.azimuth + file.ground().grid_north);
+    report.field("azimuth_deg", from_map_north.degrees());
+    report.field("altitude_deg", chosen.light.altitude.degrees());
+    if (chosen.time)
+        report.field("time_utc", to_iso8601({chosen.time->utc}));
+    report.field("curvature", curvature.coefficient);
+    report.json()["cell_size_m"] = {file.ground().cell_size_m.x, file.ground().cell_size_m.y};
+}
+
+// A caster that was asked for by name may go through the file piece by piece; one that was not is expected to be
+// any, so that what fits does not depend on which is the default.
+ShadowOutcome cast_shadows(const ShadowOptions& options, const ShadowJob& job)
+{
+    if (!can_stream(job))
+        return cast_whole(job);
+    if (options.caster.empty())
+        require_memory(job.file.rows(), job.file.columns(), sizeof(float) + 1.0,
+                       "'" + job.file.facts().path + "'");
+    return cast_in_stream(job);
+}
+
+void run_shadow(const ShadowOptions& options)
+{
+    double total_s = 0.0;
+    Report report("shadow", options.run);
+    ProgressBar bar(options.run);
+    ShadowOutcome outcome;
+    const Caster& caster = caster_named(options.caster.empty() ? default_caster() : options.caster);
+    {
+        const Stopwatch watch(total_s);
+        const WriteOptions write = write_options(options.output, options.run);
+        const std::string format = output_format(options.output.path, write);
+        const MaskCodes codes = choose_mask_codes(options.codes, is_picture_format(format));
+        HeightFile file = open_heights(options.input, options.run, report);
+        const ChosenLight chosen = choose_light(options.light, light_site(file.ground()), report);
+        const EarthCurvature curvature = choose_curvature(options.input, file, report);
+        report_light(chosen, curvature, file, report);
+        RasterWriter writer(options.output.path, file,
+                            content_of(options, file, chosen, curvature, caster, codes, report), write);
+        outcome = cast_shadows(
+            options, {.file = file,
+                      .writer = writer,
+                      .light = chosen.light,
+                      .curvature = curvature,
+                      .caster = caster,
+                      .result = chosen_result(options),
+                      .codes = codes,
+                      .execution = {.threads = options.run.threads, .progress = bar.part(0.0, 0.95)}});
+        writer.finish(bar.part(0.95, 1.0));
+        bar.part(0.95, 1.0)(1.0);
+        report_reading(file, report);
+    }
+    report_outcome(options, outcome, total_s, caster, report);
+    report.finish();
+}
+
+void add_result_options(CLI::App& app, ShadowOptions& options)
+{
+    auto* heights = app.add_flag("--heights", options.heights,
+                                 "write the height a point needs to be in the sun, in the unit of the input, "
+                                 "instead of a mask; where the ground is lit, its own");
+    auto* classes =
+        app.add_flag("--classes", options.classes,
+                     "write 0 lit, 1 self-shaded (its slope looks away), 2 cast shadow, 255 no data");
+    heights->excludes(classes)->group("Output");
+    classes->group("Output");
+    add_mask_code_options(app, options.codes);
+}
+
+void add_caster_option(CLI::App& app, ShadowOptions& options)
+{
+    std::string text = "how to find the shadows:";
+    for (const Caster& caster : kCasters)
+        text += fmt::format("{} {} ({})", &caster == &kCasters.front() ? "" : ",", caster.name,
+                            caster.description);
+    app.add_option("--caster", options.caster, text)
+        ->type_name("NAME")
+        ->default_str(std::string(default_caster()))
+        ->group("Running");
+}
+
+} // namespace
+
+Run declare_shadow(CLI::App& app)
+{
+    const auto options = std::make_shared<ShadowOptions>();
+    add_input_options(app, options->input);
+    add_output_options(app, options->output);
+    add_light_options(app, options->light);
+    add_result_options(app, *options);
+    add_caster_option(app, *options);
+    add_run_options(app, options->run);
+    add_details(
+        app, "OUTPUT has the grid of INPUT: its size, coordinate system and geotransform. A mask says 0 in "
+             "the shadow, 1 in the light and 255 where there is no data; in pictures (PNG, JPEG) 0, 255 "
+             "and 128. The light and everything that was assumed stand in its metadata.");
+    add_example(app, "the shadows of a summer evening",
+                "duskline shadow dem.tif shadow.tif --time 2026-06-21T18:30-10:00");
+    add_example(app, "a light in the north-west, 20 degrees high",
+                "duskline shadow dem.tif shadow.png --azimuth 315 --altitude 20");
+    add_example(app, "how high a mast must be to stand in the sun",
+                "duskline shadow dem.tif heights.tif --heights --azimuth 180 --altitude 8");
+    return [options] { run_shadow(*options); };
+}
+
+} // namespace duskline::cli

@@ -1,0 +1,145 @@
+#include "shadow_job.h"
+
+#include "stopwatch.h"
+
+#include <duskline/products/shadow_classes.h>
+#include <duskline/raster_io/memory_need.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace duskline::cli {
+namespace {
+
+// A callback for a part of the work that `progress` follows.
+ProgressCallback part_of(const ProgressCallback& progress, double from, double to)
+{
+    return [progress, from, to](double done) { return !progress || progress(from + (to - from) * done); };
+}
+
+Execution with_progress(const ShadowJob& job, double from, double to)
+{
+    return {.threads = job.execution.threads, .progress = part_of(job.execution.progress, from, to)};
+}
+
+Terrain lowered_terrain(const ShadowJob& job, double& seconds)
+{
+    const Stopwatch watch(seconds);
+    Terrain terrain = read_terrain(job.file, with_progress(job, 0.0, 0.2));
+    if (job.curvature.coefficient != 0.0)
+        CurvedEarth(job.curvature, terrain.cell_size_m, terrain.heights_m.columns())
+            .lower(terrain.heights_m.view());
+    return terrain;
+}
+
+// Writes rows in bands, so that the progress moves and an interruption is heard.
+template <typename T>
+void write_in_bands(const ShadowJob& job, const Grid<T>& values, double& seconds)
+{
+    const Stopwatch watch(seconds);
+    const ProgressCallback progress = part_of(job.execution.progress, 0.9, 1.0);
+    const std::size_t band = std::max<std::size_t>(job.writer.block_rows(), 256);
+    for (std::size_t first = 0; first < values.rows(); first += band) {
+        const std::size_t rows = std::min(band, values.rows() - first);
+        job.writer.write(first, 0, values.view().window(first, 0, rows, values.columns()));
+        if (!progress(static_cast<double>(first + rows) / static_cast<double>(values.rows())))
+            throw Cancelled();
+    }
+}
+
+void mask_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& outcome)
+{
+    ShadowMask mask;
+    {
+        const Stopwatch watch(outcome.casting_s);
+        mask = job.caster.cast(terrain, job.light, with_progress(job, 0.2, 0.9));
+        count_into(outcome.count, mask.view());
+    }
+    if (job.result == ShadowResult::mask) {
+        encode(mask.view(), job.codes);
+        return write_in_bands(job, mask, outcome.writing_s);
+    }
+    const ShadowClasses classes = shadow_classes(terrain, mask, job.light, with_progress(job, 0.9, 0.9));
+    Grid<std::uint8_t> bytes(classes.rows(), classes.columns());
+    std::ranges::transform(classes.values(), bytes.values().begin(),
+                           [](ShadowClass c) { return static_cast<std::uint8_t>(c); });
+    write_in_bands(job, bytes, outcome.writing_s);
+}
+
+void heights_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& outcome)
+{
+    ShadowField shadows;
+    {
+        const Stopwatch watch(outcome.casting_s);
+        shadows = job.caster.shadow_heights(terrain, job.light, with_progress(job, 0.2, 0.9));
+        count_into(outcome.count, terrain.heights_m.view(), shadows.view());
+        finish_shadow_heights(job, terrain.heights_m.view(), shadows.view(), 0, 0);
+    }
+    write_in_bands(job, shadows, outcome.writing_s);
+}
+
+double bytes_per_cell(ShadowResult result)
+{
+    switch (result) {
+    case ShadowResult::classes:
+        return sizeof(float) + 3.0;
+    case ShadowResult::heights:
+        return 2.0 * sizeof(float);
+    case ShadowResult::mask:
+        break;
+    }
+    return sizeof(float) + 1.0;
+}
+
+} // namespace
+
+ShadowOutcome cast_whole(const ShadowJob& job)
+{
+    require_memory(job.file.rows(), job.file.columns(), bytes_per_cell(job.result),
+                   "'" + job.file.facts().path + "'");
+    ShadowOutcome outcome;
+    const Terrain terrain = lowered_terrain(job, outcome.reading_s);
+    if (job.result == ShadowResult::heights)
+        heights_whole(job, terrain, outcome);
+    else
+        mask_whole(job, terrain, outcome);
+    return outcome;
+}
+
+void finish_shadow_heights(const ShadowJob& job, GridView<const float> ground_m, GridView<float> shadow_m,
+                           std::size_t first_row, std::size_t first_column)
+{
+    for (std::size_t y = 0; y < shadow_m.rows(); ++y)
+        std::ranges::transform(ground_m.row(y), shadow_m.row(y), shadow_m.row(y).begin(),
+                               [](float ground, float shadow) { return ground >= shadow ? ground : shadow; });
+    if (job.curvature.coefficient != 0.0) {
+        EarthCurvature raised = job.curvature;
+        raised.coefficient = -raised.coefficient;
+        CurvedEarth(raised, job.file.ground().cell_size_m, job.file.columns())
+            .lower(shadow_m, first_row, first_column);
+    }
+    const HeightFileFacts& facts = job.file.facts();
+    const double unit = facts.metres_per_unit * facts.z_factor;
+    const auto as_written = [&](float height_m) {
+        return std::isfinite(height_m)
+                   ? static_cast<float>((static_cast<double>(height_m) + facts.base_m) / unit)
+                   : kNoHeight;
+    };
+    for (std::size_t y = 0; y < shadow_m.rows(); ++y)
+        std::ranges::transform(shadow_m.row(y), shadow_m.row(y).begin(), as_written);
+}
+
+void count_into(LitCount& count, GridView<const float> ground_m, GridView<const float> shadow_m)
+{
+    for (std::size_t y = 0; y < ground_m.rows(); ++y) {
+        const auto ground = ground_m.row(y);
+        const auto shadow = shadow_m.row(y);
+        for (std::size_t x = 0; x < ground.size(); ++x) {
+            count.no_data += std::isnan(ground[x]) ? 1U : 0U;
+            count.lit += ground[x] >= shadow[x] ? 1U : 0U;
+            count.shadow += ground[x] < shadow[x] ? 1U : 0U;
+        }
+    }
+}
+
+} // namespace duskline::cli

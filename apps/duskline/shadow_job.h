@@ -1,0 +1,61 @@
+#pragma once
+
+#include "shadow_codes.h"
+
+#include <duskline/casting/casters.h>
+#include <duskline/execution/progress.h>
+#include <duskline/light/directional_light.h>
+#include <duskline/raster_io/raster_writer.h>
+#include <duskline/raster_io/read_height_field.h>
+#include <duskline/terrain/earth_curvature.h>
+
+#include <cstddef>
+
+namespace duskline::cli {
+
+/// What `duskline shadow` writes.
+enum class ShadowResult { mask, classes, heights };
+
+/// Written for cells without data in a raster of shadow heights.
+constexpr float kNoHeight = -9999.0f;
+
+/// Everything there is to know once the options are settled.
+struct ShadowJob {
+    HeightFile& file;
+    RasterWriter& writer;
+    DirectionalLight light;
+    EarthCurvature curvature;
+    const Caster& caster;
+    ShadowResult result = ShadowResult::mask;
+    MaskCodes codes;
+    Execution execution;
+};
+
+struct ShadowOutcome {
+    LitCount count;
+    double reading_s = 0.0; ///< stages of a stream overlap: these are the times of each, not parts of a whole
+    double casting_s = 0.0;
+    double writing_s = 0.0;
+};
+
+/// Reads all heights, casts, writes. Every caster and result. Throws what reading, casting and writing throw;
+/// UnsupportedOnThisMachine, before anything is read, when it does not fit in memory.
+ShadowOutcome cast_whole(const ShadowJob& job);
+
+/// Whether `cast_in_stream` can do the job.
+bool can_stream(const ShadowJob& job);
+
+/// Sweeps the file from block to block in the order the light meets them, reading, sweeping and writing at the
+/// same time. Needs memory for a few blocks of lines only. The same bytes as `cast_whole`.
+ShadowOutcome cast_in_stream(const ShadowJob& job);
+
+/// Shadow heights as they are written, from those that were cast: at least the ground (what is lit is in the
+/// sun where it stands), in the file's unit and counted from its zero, the earth's curvature put back.
+/// `ground_m` are the lowered heights they were cast on; the result replaces the shadow heights.
+void finish_shadow_heights(const ShadowJob& job, GridView<const float> ground_m, GridView<float> shadow_m,
+                           std::size_t first_row, std::size_t first_column);
+
+/// Which cells are lit, by their shadow heights as cast.
+void count_into(LitCount& count, GridView<const float> ground_m, GridView<const float> shadow_m);
+
+} // namespace duskline::cli
