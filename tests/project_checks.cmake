@@ -18,8 +18,10 @@ if(DUSKLINE_SANITIZE MATCHES thread)
 endif()
 
 if(DUSKLINE_BUILD_EXAMPLES)
-  add_test(NAME examples.hello_shadow COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:hello_shadow>
-    -D EXPECTED=${CMAKE_CURRENT_SOURCE_DIR}/examples/hello_shadow.txt -P ${CMAKE_CURRENT_SOURCE_DIR}/expect_output.cmake)
+  foreach(example hello_shadow point_in_shadow)
+    add_test(NAME examples.${example} COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${example}>
+      -D EXPECTED=${CMAKE_CURRENT_SOURCE_DIR}/examples/${example}.txt -P ${CMAKE_CURRENT_SOURCE_DIR}/expect_output.cmake)
+  endforeach()
 endif()
 if(DUSKLINE_INSTALL AND NOT DUSKLINE_SANITIZE)
   add_subdirectory(install)

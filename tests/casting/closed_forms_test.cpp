@@ -336,7 +336,7 @@ TEST_P(ClosedForms, AGaussianHillIsDarkFromWhereItGrowsSteepToWhereTheRayComesDo
     ASSERT_EQ(gaussian_shadow(300.0, 500.0, std::tan(radians(20.0))).end, 0.0);
 
     const Terrain hill =
-        make_gaussian_hill({.grid = {.rows = 145, .columns = 145, .cell_size_m = {30.0, 30.0}},
+        make_gaussian_hill({.grid = {.rows = 111, .columns = 111, .cell_size_m = {40.0, 40.0}},
                             .height_m = 300.0,
                             .sigma_m = 500.0});
     for (const double altitude : {10.0, 15.0, 20.0}) {

@@ -254,6 +254,22 @@ TEST(Ray, NothingIsCutOffByTheHighestGround)
     }
 }
 
+TEST(Ray, AWindowThatHoldsAllTheGroundTowardsTheLightChangesNoBit)
+{
+    const Terrain terrain =
+        make_mountains({.grid = {.rows = 90, .columns = 120, .cell_size_m = {60.0, 45.0}}});
+    const HeightField field = terrain;
+    for (const double azimuth : {0.0, 10.0, 45.0, 60.0, 90.0}) { // all from the north-east
+        const DirectionalLight light{.azimuth = Angle::from_degrees(azimuth), .altitude = 9.5_deg};
+        const ShadowField whole = shadow_heights_by_ray(field, light);
+        const ShadowField part = shadow_heights_by_ray(field.window(0, 31, 57, 89), light);
+        for (std::size_t row = 0; row < 57; ++row)
+            for (std::size_t column = 0; column < 89; ++column)
+                ASSERT_EQ(part(row, column), whole(row, column + 31))
+                    << azimuth << ' ' << row << ' ' << column;
+    }
+}
+
 TEST(Ray, ItsMaskOfTheseMountainsNeverChanges)
 {
     // Red means that the truth has changed, and with it every figure that is measured against it.
