@@ -4,6 +4,7 @@
 
 namespace duskline::cli {
 
+Run declare_relief(CLI::App& app);
 Run declare_shadow(CLI::App& app);
 Run declare_sun(CLI::App& app);
 
@@ -11,6 +12,7 @@ std::span<const Command> commands()
 {
     static constexpr std::array kCommands = {
         Command{"shadow", "which cells are in the light, and which in the shadow of others", declare_shadow},
+        Command{"relief", "a picture of the terrain: colours by height, light, shadows", declare_relief},
         Command{"sun", "where the sun is, and when it rises and sets", declare_sun},
     };
     return kCommands;

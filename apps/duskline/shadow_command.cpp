@@ -1,3 +1,4 @@
+#include "caster_option.h"
 #include "command.h"
 #include "exit_code.h"
 #include "height_input.h"
@@ -34,13 +35,6 @@ struct ShadowOptions {
     MaskCodeOptions codes;
     RunOptions run;
 };
-
-// The best there is for one answer about a whole raster.
-std::string_view default_caster()
-{
-    const auto exact = std::ranges::find(kCasters, "exact", &Caster::name);
-    return exact != kCasters.end() ? exact->name : "sweep";
-}
 
 ShadowResult chosen_result(const ShadowOptions& options)
 {
@@ -156,7 +150,7 @@ void run_shadow(const ShadowOptions& options)
     Report report("shadow", options.run);
     ProgressBar bar(options.run);
     ShadowOutcome outcome;
-    const Caster& caster = caster_named(options.caster.empty() ? default_caster() : options.caster);
+    const Caster& caster = chosen_caster(options.caster);
     {
         const Stopwatch watch(total_s);
         const WriteOptions write = write_options(options.output, options.run);
@@ -198,18 +192,6 @@ void add_result_options(CLI::App& app, ShadowOptions& options)
     add_mask_code_options(app, options.codes);
 }
 
-void add_caster_option(CLI::App& app, ShadowOptions& options)
-{
-    std::string text = "how to find the shadows:";
-    for (const Caster& caster : kCasters)
-        text += fmt::format("{} {} ({})", &caster == &kCasters.front() ? "" : ",", caster.name,
-                            caster.description);
-    app.add_option("--caster", options.caster, text)
-        ->type_name("NAME")
-        ->default_str(std::string(default_caster()))
-        ->group("Running");
-}
-
 } // namespace
 
 Run declare_shadow(CLI::App& app)
@@ -219,7 +201,7 @@ Run declare_shadow(CLI::App& app)
     add_output_options(app, options->output);
     add_light_options(app, options->light);
     add_result_options(app, *options);
-    add_caster_option(app, *options);
+    add_caster_option(app, options->caster);
     add_run_options(app, options->run);
     add_details(
         app, "OUTPUT has the grid of INPUT: its size, coordinate system and geotransform. A mask says 0 in "
