@@ -1,0 +1,147 @@
+// Every caster on real mountains, against the truth. docs/accuracy.md has the numbers these bounds hold.
+
+#include "mask_assertions.h"
+
+#include <duskline/casting/casters.h>
+#include <duskline/raster_io/read_height_field.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <tuple>
+
+namespace duskline {
+namespace {
+
+constexpr const char* kOwnData = DUSKLINE_DATA;
+constexpr const char* kSharedData = DUSKLINE_SHARED_DATA;
+
+struct RealTerrain {
+    const char* name;
+    const char* folder;
+    const char* file;
+};
+
+constexpr std::array kTerrains = {
+    RealTerrain{"Hawaii", kOwnData, "hawaii_2048.tif"},
+    RealTerrain{"Fuji", kSharedData, "fuji/mt_fuji_90m.tif"},
+    RealTerrain{"BigTujunga", kSharedData, "bigtujunga/bigtujunga.tif"},
+    RealTerrain{"Sierra", kSharedData, "lakes/sierra_30m_1100.tif"},
+    RealTerrain{"Moon", kSharedData, "moon/moon_tycho_2048.tif"},
+};
+
+// Suns whose rays run through no corners of the grid: at 45 degrees every method that looks at nearest cells
+// seems right.
+struct RealLight {
+    double azimuth;
+    double altitude;
+};
+
+constexpr std::array kLights = {RealLight{203.0, 20.0}, RealLight{203.0, 5.0}, RealLight{100.3, 20.0},
+                                RealLight{100.3, 5.0}};
+
+// The share of all cells that an inexact caster may get wrong.
+double most_wrong(const RealTerrain& terrain, const RealLight& light)
+{
+    const std::string name = terrain.name;
+    if (name == "Hawaii")
+        return light.altitude < 20.0 ? 0.004 : 0.0005;
+    // Fuji's ridges are rough from one cell to the next, which shows most in light nearly along the rows.
+    return name == "Fuji" && light.azimuth == 100.3 && light.altitude == 20.0 ? 0.010 : 0.008;
+}
+
+std::string path_of(const RealTerrain& terrain)
+{
+    return std::string(terrain.folder) + "/" + terrain.file;
+}
+
+Terrain read(const RealTerrain& terrain)
+{
+    HeightFile file(path_of(terrain));
+    return read_terrain(file);
+}
+
+// Also excuses cells beside a hole, where the ground between samples is anyone's guess.
+Grid<char> excuses_and_holes(const Caster& caster, const HeightField& field, const DirectionalLight& light)
+{
+    Grid<char> excused = excuses(caster, field, light);
+    if (caster.exact)
+        return excused;
+    const auto is_hole = [&](std::size_t row, std::size_t column) {
+        return row < field.rows() && column < field.columns()
+               && field.heights_m(row, column) != field.heights_m(row, column);
+    };
+    for (std::size_t row = 0; row < field.rows(); ++row)
+        for (std::size_t column = 0; column < field.columns(); ++column)
+            for (std::size_t i = 0; i < 9 && !excused(row, column); ++i)
+                excused(row, column) = is_hole(row + i / 3 - 1, column + i % 3 - 1); // -1 wraps to no row
+    return excused;
+}
+
+std::size_t count_different(const ShadowMask& a, const ShadowMask& b)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        count += a.values()[i] != b.values()[i];
+    return count;
+}
+
+class OnRealTerrain : public testing::TestWithParam<std::tuple<RealTerrain, RealLight>> {};
+
+std::string scene_name(const testing::TestParamInfo<OnRealTerrain::ParamType>& info)
+{
+    const auto& [terrain, light] = info.param;
+    std::ostringstream name;
+    name << terrain.name << "_azimuth_" << light.azimuth << "_altitude_" << light.altitude;
+    std::string text = name.str();
+    std::ranges::replace(text, '.', '_');
+    return text;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OnRealTerrain,
+                         testing::Combine(testing::ValuesIn(kTerrains), testing::ValuesIn(kLights)),
+                         scene_name);
+
+TEST_P(OnRealTerrain, EveryCasterIsAsRightAsItPromises)
+{
+    const auto& [place, from] = GetParam();
+    if (!std::filesystem::exists(path_of(place)))
+        GTEST_SKIP() << path_of(place) << " is not here";
+    const Terrain terrain = read(place);
+    const DirectionalLight light{Angle::from_degrees(from.azimuth), Angle::from_degrees(from.altitude)};
+    const ShadowMask truth = cast_by_fast_ray(terrain, light);
+    const auto cells = static_cast<double>(truth.size());
+
+    for (const Caster& caster : kCasters) {
+        if (is_truth(caster))
+            continue; // see the test below
+        SCOPED_TRACE(caster.name);
+        const ShadowMask mask = caster.cast(terrain, light, {});
+        EXPECT_TRUE(same_mask(mask, truth, excuses_and_holes(caster, terrain, light)));
+        if (caster.exact)
+            continue;
+        const auto wrong = static_cast<double>(count_different(mask, truth));
+        EXPECT_LE(wrong / cells, most_wrong(place, from));
+        // The others are beside a shadow narrower than a cell, which no cell of the truth shows.
+        EXPECT_LE(static_cast<double>(differences_away_from_edges(mask, truth, 1)), 0.1 * wrong);
+    }
+}
+
+// The plain ray takes seconds where the fast one takes a tenth, hence once and on the smallest.
+TEST(RealTerrain, TheRayAndTheFastRayAgreeInEveryBit)
+{
+    const RealTerrain place = {"BigTujunga", kSharedData, "bigtujunga/bigtujunga.tif"};
+    if (!std::filesystem::exists(path_of(place)))
+        GTEST_SKIP() << path_of(place) << " is not here";
+    const Terrain terrain = read(place);
+    const DirectionalLight light{Angle::from_degrees(203.0), Angle::from_degrees(20.0)};
+    EXPECT_TRUE(same_bits(shadow_heights_by_fast_ray(terrain, light), shadow_heights_by_ray(terrain, light)));
+    EXPECT_TRUE(same_mask(cast_by_fast_ray(terrain, light), cast_by_ray(terrain, light)));
+}
+
+} // namespace
+} // namespace duskline
