@@ -20,21 +20,26 @@ BeamShift beam_shift(double lateral, std::size_t v);
 /// Lines between two lowerings of the front, see SweepLines::front.
 constexpr std::size_t kLinesPerTilt = 32;
 
-/// Lines of a sweep (sweep.cpp) for one strip of neighbouring beams.
-struct SweepLines {
+/// Lines of cells, in light order, for one strip of neighbouring beams.
+struct StripLines {
     const float* heights = nullptr; ///< cell `first_cell` of the first line; cells of a line lie side by side
     std::ptrdiff_t line_step = 0;   ///< values from line to line, any sign
-    std::size_t first_cell = 0;     ///< of those in memory; cells 0 .. cells - 1 that the strip needs must be
+    std::size_t first_cell = 0;     ///< of those in memory: all under the strip, and two more on either side
     std::size_t cells = 0;          ///< of a whole line
 
     std::size_t first_line = 0; ///< lines from the light to the first one here
     std::size_t lines = 0;
     const BeamShift* shifts = nullptr; ///< of each of these lines
     std::ptrdiff_t sideways = 1;       ///< 1 when light moves towards higher cells, else -1
-    float drop_m = 0.0f;               ///< LightFrame::drop_m
 
     std::ptrdiff_t first_beam = 0; ///< the strip's beams: [first_beam, last_beam)
     std::ptrdiff_t last_beam = 0;
+};
+
+/// What a sweep (sweep.cpp) carries over the lines of a strip.
+struct SweepLines {
+    StripLines strip;
+    float drop_m = 0.0f; ///< LightFrame::drop_m
 
     /// Two copies of the front, last_beam - first_beam + 2 heights each: the strip's beams and one neighbour on
     /// either side, whose cells are not answered. Heights are those of the shadow at the last line divisible

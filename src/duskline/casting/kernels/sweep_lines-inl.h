@@ -155,17 +155,17 @@ HWY_INLINE void sweep_line(const Line& line, std::size_t first, std::size_t last
 
 // One beam carried on, whose cell is not answered, and may be the one just outside the grid: what `sweep_cells`
 // does.
-inline void carry_beam(const SweepLines& sweep, const float* heights, BeamShift shift, float tilt_m,
+inline void carry_beam(const StripLines& strip, const float* heights, BeamShift shift, float tilt_m,
                        std::ptrdiff_t beam, const float* front, float* next)
 {
-    const std::ptrdiff_t cell = beam + sweep.sideways * shift.whole;
-    const std::ptrdiff_t slot = beam - (sweep.first_beam - 1);
+    const std::ptrdiff_t cell = beam + strip.sideways * shift.whole;
+    const std::ptrdiff_t slot = beam - (strip.first_beam - 1);
     const auto height_m = [&](std::ptrdiff_t u) {
-        const bool inside = u >= 0 && u < static_cast<std::ptrdiff_t>(sweep.cells);
+        const bool inside = u >= 0 && u < static_cast<std::ptrdiff_t>(strip.cells);
         return inside ? heights[u] : std::numeric_limits<float>::quiet_NaN();
     };
     const float ground = height_m(cell);
-    const float ahead = shift.fraction == 0.0f ? ground : height_m(cell + sweep.sideways);
+    const float ahead = shift.fraction == 0.0f ? ground : height_m(cell + strip.sideways);
     float under_beam = (ground + tilt_m) + (ahead - ground) * shift.fraction;
     if (std::isnan(under_beam))
         under_beam = (shift.fraction < 0.5f ? ground : ahead) + tilt_m;
@@ -174,46 +174,47 @@ inline void carry_beam(const SweepLines& sweep, const float* heights, BeamShift 
 
 // The beams whose cells are not answered: the neighbour that the strip's beams are interpolated with, and the
 // beam that is about to enter the grid.
-inline void carry_other_beams(const SweepLines& sweep, const float* heights, BeamShift shift, float tilt_m,
+inline void carry_other_beams(const StripLines& strip, const float* heights, BeamShift shift, float tilt_m,
                               const float* front, float* next)
 {
-    const std::ptrdiff_t neighbour = sweep.sideways > 0 ? sweep.first_beam - 1 : sweep.last_beam;
-    const std::ptrdiff_t outside = sweep.sideways > 0 ? -1 : static_cast<std::ptrdiff_t>(sweep.cells);
-    const std::ptrdiff_t entering = outside - sweep.sideways * shift.whole;
-    carry_beam(sweep, heights, shift, tilt_m, neighbour, front, next);
-    if (entering >= sweep.first_beam && entering < sweep.last_beam)
-        carry_beam(sweep, heights, shift, tilt_m, entering, front, next);
+    const std::ptrdiff_t neighbour = strip.sideways > 0 ? strip.first_beam - 1 : strip.last_beam;
+    const std::ptrdiff_t outside = strip.sideways > 0 ? -1 : static_cast<std::ptrdiff_t>(strip.cells);
+    const std::ptrdiff_t entering = outside - strip.sideways * shift.whole;
+    carry_beam(strip, heights, shift, tilt_m, neighbour, front, next);
+    if (entering >= strip.first_beam && entering < strip.last_beam)
+        carry_beam(strip, heights, shift, tilt_m, entering, front, next);
 }
 
 template <class MakeAnswer>
 HWY_INLINE float* sweep_lines(const SweepLines& sweep, const MakeAnswer& answer_for_line)
 {
     static constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
-    const std::ptrdiff_t sideways = sweep.sideways;
-    const auto beams = static_cast<std::size_t>(sweep.last_beam - sweep.first_beam + 2);
-    const auto cells = static_cast<std::ptrdiff_t>(sweep.cells);
+    const StripLines& strip = sweep.strip;
+    const std::ptrdiff_t sideways = strip.sideways;
+    const auto beams = static_cast<std::size_t>(strip.last_beam - strip.first_beam + 2);
+    const auto cells = static_cast<std::ptrdiff_t>(strip.cells);
     float* front = sweep.front;
     float* next = sweep.other_front;
 
-    for (std::size_t i = 0; i < sweep.lines; ++i) {
-        const std::size_t v = sweep.first_line + i;
+    for (std::size_t i = 0; i < strip.lines; ++i) {
+        const std::size_t v = strip.first_line + i;
         if (v % kLinesPerTilt == 0 && v != 0)
             for (std::size_t k = 0; k < beams; ++k)
                 front[k] -= sweep.drop_m * static_cast<float>(kLinesPerTilt);
 
-        const BeamShift shift = sweep.shifts[i];
-        const std::ptrdiff_t first = std::max<std::ptrdiff_t>(sweep.first_beam + sideways * shift.whole, 0);
-        const std::ptrdiff_t last = std::min(sweep.last_beam + sideways * shift.whole, cells);
-        const float* heights = sweep.heights + static_cast<std::ptrdiff_t>(i) * sweep.line_step
-                               - static_cast<std::ptrdiff_t>(sweep.first_cell);
+        const BeamShift shift = strip.shifts[i];
+        const std::ptrdiff_t first = std::max<std::ptrdiff_t>(strip.first_beam + sideways * shift.whole, 0);
+        const std::ptrdiff_t last = std::min(strip.last_beam + sideways * shift.whole, cells);
+        const float* heights = strip.heights + static_cast<std::ptrdiff_t>(i) * strip.line_step
+                               - static_cast<std::ptrdiff_t>(strip.first_cell);
         const float tilt_m = sweep.drop_m * static_cast<float>(v % kLinesPerTilt);
-        carry_other_beams(sweep, heights, shift, tilt_m, front, next);
+        carry_other_beams(strip, heights, shift, tilt_m, front, next);
         if (first < last) {
             const std::ptrdiff_t far = shift.fraction == 0.0f ? 0 : sideways;
             // Cell j and the slot of its beam in the two copies of the front.
-            const std::ptrdiff_t slot = 1 - sweep.first_beam - sideways * shift.whole;
+            const std::ptrdiff_t slot = 1 - strip.first_beam - sideways * shift.whole;
             const Line line{heights + first,
-                            heights + first + sweep.line_step,
+                            heights + first + strip.line_step,
                             heights + first + far,
                             front + first + slot,
                             front + first + slot - far,
@@ -242,7 +243,7 @@ float* sweep_mask(const SweepLines& sweep, std::uint8_t* lit, std::ptrdiff_t lit
 {
     return sweep_lines(sweep, [&](std::size_t i, std::ptrdiff_t first) {
         return MaskAnswer{lit + static_cast<std::ptrdiff_t>(i) * lit_line_step + first
-                          - static_cast<std::ptrdiff_t>(sweep.first_cell)};
+                          - static_cast<std::ptrdiff_t>(sweep.strip.first_cell)};
     });
 }
 
@@ -250,7 +251,7 @@ float* sweep_shadow_heights(const SweepLines& sweep, float* shadow_m, std::ptrdi
 {
     return sweep_lines(sweep, [&](std::size_t i, std::ptrdiff_t first) {
         return ShadowHeightAnswer{shadow_m + static_cast<std::ptrdiff_t>(i) * shadow_line_step + first
-                                  - static_cast<std::ptrdiff_t>(sweep.first_cell)};
+                                  - static_cast<std::ptrdiff_t>(sweep.strip.first_cell)};
     });
 }
 
