@@ -1,5 +1,6 @@
 #pragma once
 
+#include <duskline/casting/exact.h>
 #include <duskline/casting/ray.h>
 #include <duskline/casting/shadow_mask.h>
 #include <duskline/casting/sweep.h>
@@ -29,6 +30,8 @@ inline constexpr std::array kCasters = {
     Caster{"fast-ray", "the same rays over a min/max pyramid, the same answers in a small part of the time",
            "Tevs, Ihrke and Seidel, maximum mipmaps, 2008", true, cast_by_fast_ray,
            shadow_heights_by_fast_ray},
+    Caster{"exact", "carry the true front across the grid; the ray's answers at nearly the sweep's price",
+           "upper envelope by plane sweep, Reif and Sen 1988", true, cast_by_exact, shadow_heights_by_exact},
     Caster{"sweep", "carry one front of shadow heights across the grid; fastest, off only at shadow edges",
            "plane sweep in the frame of the beams", false, cast_by_sweep, shadow_heights_by_sweep},
 };

@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "duskline/casting/kernels/kernels.cpp"
 #include <hwy/foreach_target.h>
 // after foreach_target.h
+#include <duskline/casting/kernels/bracket_line-inl.h>
 #include <duskline/casting/kernels/sweep_lines-inl.h>
 #include <duskline/casting/kernels/transpose-inl.h>
 
@@ -13,7 +14,13 @@ namespace HWY_NAMESPACE {
 
 Kernels kernels_called(std::string_view isa)
 {
-    return {isa, sweep_mask, sweep_shadow_heights, transpose_floats, transpose_bytes};
+    return {isa,
+            sweep_mask,
+            sweep_shadow_heights,
+            bracket_line,
+            highest_magnitude,
+            transpose_floats,
+            transpose_bytes};
 }
 
 } // namespace HWY_NAMESPACE

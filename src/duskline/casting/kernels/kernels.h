@@ -48,6 +48,44 @@ struct SweepLines {
     float* other_front = nullptr;
 };
 
+/// A cell whose line the bracket could not settle.
+struct OpenCell {
+    static constexpr std::int32_t kUnanswered = 1; ///< neither above the bracket nor under it
+    static constexpr std::int32_t kUnplaced = 2;   ///< its line may rise over a part of the front
+    static constexpr std::int32_t kRises = 4;      ///< so may the column line from the line before
+
+    std::uint32_t index;
+    std::uint32_t flags;
+};
+
+/// One line of cells before the brackets of an exact front (exact.cpp). Index i is a cell, and the unit of the
+/// front that holds it. Heights of the front are tilted: true ones plus tilt_m.
+struct BracketLine {
+    const float* cell = nullptr;
+    const float* ahead = nullptr;       ///< the next cell in the direction the light moves sideways
+    const float* behind = nullptr;      ///< and in the other
+    const float* cell_before = nullptr; ///< of the line before; null where column lines do not matter
+    const float* behind_before = nullptr;
+    const float* next_cell = nullptr; ///< of the next line, to be fetched meanwhile
+
+    const float* near = nullptr;  ///< front at the beam ahead of the cell, by `fraction` of a cell
+    const float* far = nullptr;   ///< front at the beam behind it
+    float* next_near = nullptr;   ///< where `near` goes, raised by this line
+    float* above = nullptr;       ///< how far the front may rise over the chord between the two beams
+    float* below = nullptr;       ///< and fall below it
+    std::int32_t* base = nullptr; ///< the line that replaced everything before it
+
+    std::uint8_t* lit = nullptr; ///< answers, not to be relied on where kUnanswered
+    OpenCell* open = nullptr;    ///< filled; one for each cell at most
+
+    float fraction = 0.0f;
+    float slope = 0.0f; ///< cells sideways per line
+    float drop_m = 0.0f;
+    float tilt_m = 0.0f;
+    float slack_m = 0.0f;    ///< more than rounding can be wrong by
+    std::int32_t number = 0; ///< of the line
+};
+
 /// The SIMD code of one processor level. All levels give the same bytes.
 struct Kernels {
     std::string_view isa; ///< "scalar", "ssse3", "sse4", "avx2", "avx512"
@@ -58,6 +96,12 @@ struct Kernels {
 
     /// The same with shadow heights for answers: minus infinity where nothing shades, NaN for no data.
     float* (*sweep_shadow_heights)(const SweepLines&, float* shadow_m, std::ptrdiff_t shadow_line_step);
+
+    /// Settles what it can of a line and returns how many open cells it found.
+    std::size_t (*bracket_line)(const BracketLine&, std::size_t cells);
+
+    /// The greatest magnitude among the values that are not NaN; 0 when there is none.
+    float (*highest_magnitude)(const float* values, std::size_t count);
 
     /// to[x * to_stride + y] = from[y * from_stride + x] for y < rows, x < columns.
     void (*transpose_floats)(const float* from, std::ptrdiff_t from_stride, std::size_t rows,
