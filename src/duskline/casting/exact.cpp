@@ -704,7 +704,8 @@ float highest_magnitude(const Kernels& kernels, const HeightField& field, const 
 }
 
 template <typename Answer>
-Grid<Answer> cast_all(const HeightField& field, const DirectionalLight& light, const Execution& execution)
+Grid<Answer> cast_all(const HeightField& field, const DirectionalLight& light, const Execution& execution,
+                      const Kernels& kernels)
 {
     Grid<Answer> answers(field.rows(), field.columns());
     if (answers.empty())
@@ -712,7 +713,6 @@ Grid<Answer> cast_all(const HeightField& field, const DirectionalLight& light, c
     const LightFrame frame = light_frame(light, field.cell_size_m);
     const auto heights = in_light_order(field.heights_m, frame);
     const auto out = in_light_order(answers.view(), frame);
-    const Kernels& kernels = kernels::active_kernels();
     const double highest_m = highest_magnitude(kernels, field, execution);
     const double drop_m = std::min(frame.drop_m, kSteepestDrop_m);
     const double lines_per_tilt = std::clamp(std::floor(highest_m / drop_m), 1.0, 1048576.0);
@@ -757,11 +757,18 @@ Grid<Answer> cast_all(const HeightField& field, const DirectionalLight& light, c
 
 ShadowMask cast_by_exact(const HeightField& field, const DirectionalLight& light, const Execution& execution)
 {
+    return cast_by_exact(field, light, execution, kernels::active_kernels().isa);
+}
+
+ShadowMask cast_by_exact(const HeightField& field, const DirectionalLight& light, const Execution& execution,
+                         std::string_view isa)
+{
     require_valid(field);
     require_valid(light);
+    const Kernels& kernels = kernels::kernels_named(isa);
     if (const auto answer = uniform_answer(light))
         return uniform_mask(field, *answer);
-    return cast_all<Lit>(field, light, execution);
+    return cast_all<Lit>(field, light, execution, kernels);
 }
 
 ShadowField shadow_heights_by_exact(const HeightField& field, const DirectionalLight& light,
@@ -771,7 +778,7 @@ ShadowField shadow_heights_by_exact(const HeightField& field, const DirectionalL
     require_valid(light);
     if (const auto answer = uniform_answer(light))
         return uniform_shadow_heights(field, *answer);
-    return cast_all<float>(field, light, execution);
+    return cast_all<float>(field, light, execution, kernels::active_kernels());
 }
 
 } // namespace duskline

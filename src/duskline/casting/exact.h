@@ -3,6 +3,8 @@
 #include <duskline/casting/shadow_mask.h>
 #include <duskline/execution/progress.h>
 
+#include <string_view>
+
 namespace duskline {
 
 /// The answers of `ray` at the price of a sweep: the true front of the light, carried over the grid line by line
@@ -18,6 +20,10 @@ namespace duskline {
 /// beam.
 ShadowMask cast_by_exact(const HeightField& field, const DirectionalLight& light,
                          const Execution& execution = {});
+
+/// The same with the SIMD level of that name (see `kernels::runnable_kernels`). Throws InvalidInput for another.
+ShadowMask cast_by_exact(const HeightField& field, const DirectionalLight& light, const Execution& execution,
+                         std::string_view isa);
 
 /// The shadow heights that go with it, rounded to float. Cost: some ten times the mask's.
 ShadowField shadow_heights_by_exact(const HeightField& field, const DirectionalLight& light,

@@ -28,7 +28,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <string>
 
 namespace duskline {
 
@@ -43,17 +42,6 @@ constexpr float kNoShadow_m = -1.0e30f;
 
 // Steeper light than this shades nothing anyone could have measured; more would overflow the tilt.
 constexpr double kSteepestDrop_m = 1.0e15;
-
-const Kernels& kernels_named(std::string_view isa)
-{
-    std::string names;
-    for (const Kernels& candidate : kernels::runnable_kernels()) {
-        if (candidate.isa == isa)
-            return candidate;
-        names += (names.empty() ? "" : ", ") + std::string(candidate.isa);
-    }
-    throw InvalidInput("no SIMD level '" + std::string(isa) + "' on this machine; there are: " + names);
-}
 
 float* sweep(const Kernels& kernels, const SweepLines& lines, Lit* mask, std::ptrdiff_t line_step)
 {
@@ -98,7 +86,7 @@ SweepFront::SweepFront(std::size_t lines, std::size_t cells, const LightFrame& f
 SweepFront::SweepFront(std::size_t lines, std::size_t cells, const LightFrame& frame, std::string_view isa)
     : SweepFront(lines, cells, frame)
 {
-    kernels_ = &kernels_named(isa);
+    kernels_ = &kernels::kernels_named(isa);
 }
 
 void SweepFront::advance(const LightOrder<const float>& heights, const LightOrder<Lit>& mask,

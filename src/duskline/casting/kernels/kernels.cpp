@@ -81,19 +81,28 @@ std::span<const Kernels> runnable_kernels()
     return found;
 }
 
-static const Kernels& choose_kernels()
+const Kernels& kernels_named(std::string_view isa)
 {
     const auto runnable = runnable_kernels();
-    const char* wanted = std::getenv("DUSKLINE_KERNELS");
-    if (wanted == nullptr || *wanted == '\0')
-        return runnable.front();
-    const auto found = std::ranges::find(runnable, std::string_view(wanted), &Kernels::isa);
+    const auto found = std::ranges::find(runnable, isa, &Kernels::isa);
     if (found != runnable.end())
         return *found;
     std::string names;
     for (const Kernels& kernels : runnable)
         names += (names.empty() ? "" : ", ") + std::string(kernels.isa);
-    throw InvalidInput("DUSKLINE_KERNELS is '" + std::string(wanted) + "'; this processor runs: " + names);
+    throw InvalidInput("no SIMD level '" + std::string(isa) + "' on this processor; there are: " + names);
+}
+
+static const Kernels& choose_kernels()
+{
+    const char* wanted = std::getenv("DUSKLINE_KERNELS");
+    if (wanted == nullptr || *wanted == '\0')
+        return runnable_kernels().front();
+    try {
+        return kernels_named(wanted);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(std::string("DUSKLINE_KERNELS: ") + error.what());
+    }
 }
 
 const Kernels& active_kernels()

@@ -113,6 +113,9 @@ struct Kernels {
 /// Every level this build contains and this processor can run, best first; "scalar" is always the last.
 std::span<const Kernels> runnable_kernels();
 
+/// The one of that name. Throws InvalidInput, listing the names there are.
+const Kernels& kernels_named(std::string_view isa);
+
 /// The best of them, or the one named by the environment variable DUSKLINE_KERNELS (read once). Throws
 /// InvalidInput when that names none of them.
 const Kernels& active_kernels();
