@@ -181,8 +181,9 @@ private:
         last_cell_ = static_cast<std::int64_t>(order.cells) - 1;
         line_step_ = -order.line_step;
         cell_step_ = cells_turned_ ? -order.cell_step : order.cell_step;
-        first_ =
-            order.first + last_line_ * order.line_step + (cells_turned_ ? last_cell_ * order.cell_step : 0);
+        first_ = order.first;
+        if (!field.heights_m.empty())
+            first_ += last_line_ * order.line_step + (cells_turned_ ? last_cell_ * order.cell_step : 0);
     }
 
     struct Split {
