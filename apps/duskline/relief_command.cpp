@@ -121,6 +121,7 @@ Picture shade(const ReliefJob& job, const Ground& ground, const LitFraction& lit
         .texture = ground.texture.view(),
         .exaggeration = wanted.exaggeration.value_or(shading_exaggeration(ground.terrain, job.light)),
         .ambient = choose_ambient(wanted, job.file),
+        .curvature = job.curvature,
         .air = has_air(job.file)};
     report.field("exaggeration", *options.exaggeration);
     report.field("ambient", options.ambient);

@@ -122,6 +122,27 @@ TEST(Relief, ExaggerationIsTheSameAsSteeperSlopes)
             ASSERT_NEAR(a.values()[i][k], b.values()[i][k], 1) << i;
 }
 
+TEST(Relief, AGlobesLevelGroundDarkensAwayFromTheLight)
+{
+    // 100 km on the Moon tilt by 3.3 degrees: sin(10 - 3.3) / sin(10) of the light.
+    const Terrain terrain = make_plane({.grid = {21, 201, {1000.0, 1000.0}}});
+    const Tint grey = plain_tint(Palette({{0.0, {0.2f, 0.2f, 0.2f}, 1.0f}}));
+    const EarthCurvature moon = {
+        .coefficient = 1.0, .radius_m = 1737400.0, .tangent_row = 10.0, .tangent_column = 100.0};
+    const Picture picture =
+        relief(terrain, {.azimuth = 90_deg, .altitude = 10_deg}, all(terrain, 1.0f),
+               {.tint = grey, .exaggeration = 5.0, .ambient = 0.0, .curvature = moon, .air = false});
+    const auto expected = [](double tilt_degrees) {
+        const double r =
+            sine_cosine(Angle::from_degrees(10.0 + tilt_degrees)).sine / sine_cosine(10_deg).sine;
+        return 0.2 * 2.6 * r / (1.6 + r);
+    };
+    const double tilt = Angle::from_radians(std::atan(100000.0 / 1737400.0)).degrees();
+    EXPECT_NEAR(brightness(picture(10, 100)), expected(0.0), 0.003);
+    EXPECT_NEAR(brightness(picture(10, 0)), expected(-tilt), 0.003);
+    EXPECT_NEAR(brightness(picture(10, 200)), expected(tilt), 0.003);
+}
+
 TEST(Relief, ShadowKeepsTheFormOfTheGround)
 {
     const Terrain hill =
@@ -182,7 +203,7 @@ TEST(Relief, AnIslandsSeaIsBrightAlongTheShoreAndDeepFarOut)
         EXPECT_LT(brightness(picture(150, column)), last) << column;
         last = brightness(picture(150, column));
     }
-    expect_pixel(picture(10, 10), {0x2C, 0x4D, 0x68, 255});
+    expect_pixel(picture(10, 10), {0x2A, 0x4C, 0x66, 255});
 }
 
 TEST(Relief, IsTheSameForAnyNumberOfThreads)

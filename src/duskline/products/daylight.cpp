@@ -11,7 +11,7 @@ namespace {
 // Wavelengths that stand for the primaries of a screen, micrometres.
 constexpr std::array<double, 3> kWavelengths = {0.610, 0.550, 0.465};
 constexpr double kTurbidity = 0.05;
-constexpr double kColourSeen = 0.32; // of the logarithm of what the air takes
+constexpr double kColourSeen = 0.26; // of the logarithm of what the air takes
 constexpr double kWhiteAltitude = 45.0;
 constexpr double kReddestAltitude = 2.0;
 
@@ -51,7 +51,7 @@ Daylight clear_daylight(Angle sun_altitude, double ambient)
 {
     const auto share = static_cast<float>(ambient);
     const Colour white = {1.0f, 1.0f, 1.0f};
-    const Colour sky = of_luminance_1({0.68f, 0.97f, 1.52f});
+    const Colour sky = of_luminance_1({0.72f, 0.975f, 1.44f});
     const Colour sun_of_white = (white - sky * share) * (1.0f / (1.0f - share));
     const Colour positive = {std::max(0.0f, sun_of_white.red), std::max(0.0f, sun_of_white.green),
                              std::max(0.0f, sun_of_white.blue)};

@@ -39,6 +39,32 @@ constexpr float kSoftClipBegins = 0.65f;
 // ---------------------------------------------------------------------------------------------------------
 // Light on a slope
 
+// The slope of a globe's level ground, small.
+struct Tilt {
+    float dz_dx = 0.0f;
+    float dz_dy = 0.0f;
+};
+
+// Of the paraboloid that stands for the globe (earth_curvature.h).
+class Globe {
+public:
+    Globe(const EarthCurvature& curvature, CellSize cell_size_m)
+        : curvature_(curvature), cell_size_m_(cell_size_m)
+    {}
+
+    Tilt tilt_at(std::size_t row, std::size_t column) const
+    {
+        const double per_metre = curvature_.coefficient / curvature_.radius_m;
+        const double east_m = (static_cast<double>(column) - curvature_.tangent_column) * cell_size_m_.x;
+        const double north_m = (curvature_.tangent_row - static_cast<double>(row)) * cell_size_m_.y;
+        return {static_cast<float>(-per_metre * east_m), static_cast<float>(-per_metre * north_m)};
+    }
+
+private:
+    EarthCurvature curvature_;
+    CellSize cell_size_m_;
+};
+
 // What the terrain is lit by, ready for use on many slopes.
 class Lighting {
 public:
@@ -52,11 +78,12 @@ public:
           ambient_(static_cast<float>(options.ambient))
     {}
 
-    // `open` is 1 on level ground, less in hollows; `lit` the lit fraction.
-    Colour on_slope(float dz_dx, float dz_dy, float open, float lit) const
+    // `tilt` is the slope of level ground there, `open` 1 on level ground and less in hollows, `lit` the lit
+    // fraction.
+    Colour on_slope(Tilt tilt, float dz_dx, float dz_dy, float open, float lit) const
     {
-        const float x = -exaggeration_ * dz_dx;
-        const float y = -exaggeration_ * dz_dy;
+        const float x = -exaggeration_ * dz_dx - tilt.dz_dx;
+        const float y = -exaggeration_ * dz_dy - tilt.dz_dy;
         const float z = 1.0f / std::sqrt(1.0f + x * x + y * y);
         const float direct = std::max(0.0f, along(towards_light_, x, y) * z / level_light_);
         const float bent = (1.0f + kKnee) * direct / (kKnee + direct);
@@ -173,7 +200,7 @@ public:
             const ReliefOptions& options, const Execution& execution)
         : field_(field), lit_(lit), options_(options), tint_(options.tint),
           lighting_(light, options, options.exaggeration.value_or(shading_exaggeration(field, light))),
-          hollows_(field, Execution{execution.threads, {}}),
+          globe_(options.curvature, field.cell_size_m), hollows_(field, Execution{execution.threads, {}}),
           water_(field, options.tint, Execution{execution.threads, {}})
     {}
 
@@ -219,10 +246,11 @@ private:
     {
         const float lit = std::isnan(lit_(y, x)) ? 1.0f : lit_(y, x);
         const Surface ground = surface(y, x, height_m, buffers);
+        const Tilt tilt = globe_.tilt_at(y, x);
         const Colour light =
             water_.is_water(height_m)
-                ? lighting_.on_slope(0.0f, 0.0f, 1.0f, lit)
-                : lighting_.on_slope(buffers.dz_dx[x], buffers.dz_dy[x], buffers.open[x], lit);
+                ? lighting_.on_slope(tilt, 0.0f, 0.0f, 1.0f, lit)
+                : lighting_.on_slope(tilt, buffers.dz_dx[x], buffers.dz_dy[x], buffers.open[x], lit);
         Rgba8 result = encoder_.pixel(soft_clip(ground.colour * light), y, x);
         result[3] = static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(ground.opacity, 0.0f, 1.0f)));
         return result;
@@ -233,6 +261,7 @@ private:
     const ReliefOptions& options_;
     const Tint& tint_;
     Lighting lighting_;
+    Globe globe_;
     Hollows hollows_;
     LevelWater water_;
     SrgbEncoder encoder_;

@@ -4,6 +4,7 @@
 #include <duskline/light/directional_light.h>
 #include <duskline/products/lit_fraction.h>
 #include <duskline/products/tint.h>
+#include <duskline/terrain/earth_curvature.h>
 #include <duskline/terrain/height_field.h>
 
 #include <optional>
@@ -25,6 +26,9 @@ struct ReliefOptions {
     /// How bright level ground in shadow is, 1 being level ground in the light; 0 to below 1.
     double ambient = 0.28;
 
+    /// How level ground tilts away from the light with distance, as shadows see it; `coefficient` 0 is flat.
+    EarthCurvature curvature = {.coefficient = 0.0};
+
     /// A blue sky and a sun that reddens as it sinks; without air both are white.
     bool air = true;
 };
@@ -43,7 +47,8 @@ double shading_exaggeration(const HeightField& field, const DirectionalLight& li
 ///   D    light on the slope over light on level ground, r = n.l / sin(altitude), passed through
 ///        2.6 r / (1.6 + r), which keeps 0 and 1 and bends what is brighter: the response of the eye (Naka
 ///        and Rushton 1966; in pictures: Reinhard et al., Photographic tone reproduction, 2002)
-///   n    the upward normal of Horn's slopes (normals.h), made `exaggeration` times as steep
+///   n    the upward normal of Horn's slopes (normals.h), made `exaggeration` times as steep, and tilted with
+///        the curvature of the globe
 ///   l    the direction towards the light
 ///   lit  the lit fraction: cast shadows, with edges drawn within cells if it comes from shadow heights
 ///   S    light of the sky on the slope, 1 on level open ground: two fifths from all of the sky alike,

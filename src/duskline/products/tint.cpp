@@ -12,7 +12,7 @@ namespace {
 constexpr std::array kNaturalStops = {
     TintStop{0.00, 0x526B4E}, TintStop{0.08, 0x607755}, TintStop{0.20, 0x7E8964}, TintStop{0.36, 0xA09A79},
     TintStop{0.52, 0xA39077}, TintStop{0.68, 0x897C72}, TintStop{0.81, 0x898582}, TintStop{0.90, 0xA6A4A2},
-    TintStop{0.96, 0xD4D4D3}, TintStop{1.00, 0xE9E9E9},
+    TintStop{0.96, 0xCDCDCD}, TintStop{1.00, 0xDFE0E0},
 };
 constexpr std::array kAtlasStops = {
     TintStop{0.00, 0xA3BF9D}, TintStop{0.10, 0xB9CCA2}, TintStop{0.25, 0xD8D7AB}, TintStop{0.45, 0xE2CEA2},
@@ -34,7 +34,7 @@ constexpr std::array kPlasterStops = {TintStop{0.00, 0xC8C6C2}};
 
 constexpr std::array kNamedTints = {
     NamedTint{"natural", "forest, grass, rock and snow, as from the air", kNaturalStops, true, 0x857D76, 0.6f,
-              0x6496A6, 0x2C4D68},
+              0x6496A6, 0x2A4C66},
     NamedTint{"atlas", "light hypsometric colours of a printed atlas", kAtlasStops, true, 0xC4B4A0, 0.3f,
               0xB4D3DC, 0x7FAFC8},
     NamedTint{"alpine", "grey-green valleys to cream summits, after Imhof", kAlpineStops, false, 0xB9B6AE,
