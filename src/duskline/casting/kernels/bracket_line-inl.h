@@ -135,7 +135,7 @@ HWY_INLINE std::size_t bracket_cells(D d, const BracketLine& line, std::size_t i
     return found;
 }
 
-std::size_t bracket_line(const BracketLine& line, std::size_t cells)
+inline std::size_t bracket_line(const BracketLine& line, std::size_t cells)
 {
     const hn::ScalableTag<float> d;
     const std::size_t lanes = hn::Lanes(d);
@@ -150,7 +150,7 @@ std::size_t bracket_line(const BracketLine& line, std::size_t cells)
     return found;
 }
 
-float highest_magnitude(const float* values, std::size_t count)
+inline float highest_magnitude(const float* values, std::size_t count)
 {
     const hn::ScalableTag<float> d;
     const std::size_t lanes = hn::Lanes(d);

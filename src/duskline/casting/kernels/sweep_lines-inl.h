@@ -239,7 +239,7 @@ HWY_INLINE float* sweep_lines(const SweepLines& sweep, const MakeAnswer& answer_
     return front;
 }
 
-float* sweep_mask(const SweepLines& sweep, std::uint8_t* lit, std::ptrdiff_t lit_line_step)
+inline float* sweep_mask(const SweepLines& sweep, std::uint8_t* lit, std::ptrdiff_t lit_line_step)
 {
     return sweep_lines(sweep, [&](std::size_t i, std::ptrdiff_t first) {
         return MaskAnswer{lit + static_cast<std::ptrdiff_t>(i) * lit_line_step + first
@@ -247,7 +247,7 @@ float* sweep_mask(const SweepLines& sweep, std::uint8_t* lit, std::ptrdiff_t lit
     });
 }
 
-float* sweep_shadow_heights(const SweepLines& sweep, float* shadow_m, std::ptrdiff_t shadow_line_step)
+inline float* sweep_shadow_heights(const SweepLines& sweep, float* shadow_m, std::ptrdiff_t shadow_line_step)
 {
     return sweep_lines(sweep, [&](std::size_t i, std::ptrdiff_t first) {
         return ShadowHeightAnswer{shadow_m + static_cast<std::ptrdiff_t>(i) * shadow_line_step + first

@@ -133,14 +133,14 @@ HWY_INLINE void transpose(const T* from, std::ptrdiff_t from_stride, std::size_t
     one_by_one(whole_rows, 0, whole_columns);
 }
 
-void transpose_floats(const float* from, std::ptrdiff_t from_stride, std::size_t rows, std::size_t columns,
-                      float* to, std::ptrdiff_t to_stride)
+inline void transpose_floats(const float* from, std::ptrdiff_t from_stride, std::size_t rows,
+                             std::size_t columns, float* to, std::ptrdiff_t to_stride)
 {
     transpose<FloatBlock>(from, from_stride, rows, columns, to, to_stride);
 }
 
-void transpose_bytes(const std::uint8_t* from, std::ptrdiff_t from_stride, std::size_t rows,
-                     std::size_t columns, std::uint8_t* to, std::ptrdiff_t to_stride)
+inline void transpose_bytes(const std::uint8_t* from, std::ptrdiff_t from_stride, std::size_t rows,
+                            std::size_t columns, std::uint8_t* to, std::ptrdiff_t to_stride)
 {
     transpose<ByteBlock>(from, from_stride, rows, columns, to, to_stride);
 }
