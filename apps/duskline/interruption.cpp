@@ -25,6 +25,8 @@ void watch_for_interruption()
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    // A file larger than the user's limit (ulimit -f) is an output that cannot be written, not a crash.
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted()

@@ -14,8 +14,6 @@
 #include "shadow_job.h"
 #include "stopwatch.h"
 
-#include <duskline/raster_io/memory_need.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -132,16 +130,18 @@ void report_light(const ChosenLight& chosen, const EarthCurvature& curvature, co
     report.json()["cell_size_m"] = {file.ground().cell_size_m.x, file.ground().cell_size_m.y};
 }
 
-// A caster that was asked for by name may go through the file piece by piece; one that was not is expected to be
-// any, so that what fits does not depend on which is the default.
-ShadowOutcome cast_shadows(const ShadowOptions& options, const ShadowJob& job)
+// A sweep that was asked for goes through files of any size, a slab at a time. Without being asked it does so too,
+// but what can be done does not depend on which caster is the default.
+void require_memory_for(const ShadowOptions& options, const HeightFile& file, const Caster& caster)
 {
-    if (!can_stream(job))
-        return cast_whole(job);
-    if (options.caster.empty())
-        require_memory(job.file.rows(), job.file.columns(), sizeof(float) + 1.0,
-                       "'" + job.file.facts().path + "'");
-    return cast_in_stream(job);
+    const bool asked_to_stream = !options.caster.empty() && can_stream(caster, chosen_result(options));
+    if (!asked_to_stream)
+        require_memory_for_whole(file, chosen_result(options));
+}
+
+ShadowOutcome cast_shadows(const ShadowJob& job)
+{
+    return can_stream(job.caster, job.result) ? cast_in_stream(job) : cast_whole(job);
 }
 
 void run_shadow(const ShadowOptions& options)
@@ -157,20 +157,21 @@ void run_shadow(const ShadowOptions& options)
         const std::string format = output_format(options.output.path, write);
         const MaskCodes codes = choose_mask_codes(options.codes, is_picture_format(format));
         HeightFile file = open_heights(options.input, options.run, report);
+        require_memory_for(options, file, caster);
         const ChosenLight chosen = choose_light(options.light, light_site(file.ground()), report);
         const EarthCurvature curvature = choose_curvature(options.input, file, report);
         report_light(chosen, curvature, file, report);
         RasterWriter writer(options.output.path, file,
                             content_of(options, file, chosen, curvature, caster, codes, report), write);
-        outcome = cast_shadows(
-            options, {.file = file,
-                      .writer = writer,
-                      .light = chosen.light,
-                      .curvature = curvature,
-                      .caster = caster,
-                      .result = chosen_result(options),
-                      .codes = codes,
-                      .execution = {.threads = options.run.threads, .progress = bar.part(0.0, 0.95)}});
+        outcome =
+            cast_shadows({.file = file,
+                          .writer = writer,
+                          .light = chosen.light,
+                          .curvature = curvature,
+                          .caster = caster,
+                          .result = chosen_result(options),
+                          .codes = codes,
+                          .execution = {.threads = options.run.threads, .progress = bar.part(0.0, 0.95)}});
         writer.finish(bar.part(0.95, 1.0));
         bar.part(0.95, 1.0)(1.0);
         report_reading(file, report);

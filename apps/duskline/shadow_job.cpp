@@ -32,16 +32,19 @@ Terrain lowered_terrain(const ShadowJob& job, double& seconds)
     return terrain;
 }
 
-// Writes rows in bands, so that the progress moves and an interruption is heard.
-template <typename T>
-void write_in_bands(const ShadowJob& job, const Grid<T>& values, double& seconds)
+// Writes rows in bands, so that the progress moves and an interruption is heard. `finish(first_row, rows)` makes
+// of a band what is written.
+template <typename T, typename Finish>
+void write_in_bands(const ShadowJob& job, Grid<T>& values, double& seconds, const Finish& finish)
 {
     const Stopwatch watch(seconds);
     const ProgressCallback progress = part_of(job.execution.progress, 0.9, 1.0);
     const std::size_t band = std::max<std::size_t>(job.writer.block_rows(), 256);
     for (std::size_t first = 0; first < values.rows(); first += band) {
         const std::size_t rows = std::min(band, values.rows() - first);
-        job.writer.write(first, 0, values.view().window(first, 0, rows, values.columns()));
+        const GridView<T> part = values.view().window(first, 0, rows, values.columns());
+        finish(first, part);
+        job.writer.write(first, 0, GridView<const T>(part));
         if (!progress(static_cast<double>(first + rows) / static_cast<double>(values.rows())))
             throw Cancelled();
     }
@@ -55,15 +58,14 @@ void mask_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& out
         mask = job.caster.cast(terrain, job.light, with_progress(job, 0.2, 0.9));
         count_into(outcome.count, mask.view());
     }
-    if (job.result == ShadowResult::mask) {
-        encode(mask.view(), job.codes);
-        return write_in_bands(job, mask, outcome.writing_s);
-    }
+    if (job.result == ShadowResult::mask)
+        return write_in_bands(job, mask, outcome.writing_s,
+                              [&](std::size_t, GridView<Lit> part) { encode(part, job.codes); });
     const ShadowClasses classes = shadow_classes(terrain, mask, job.light, with_progress(job, 0.9, 0.9));
     Grid<std::uint8_t> bytes(classes.rows(), classes.columns());
     std::ranges::transform(classes.values(), bytes.values().begin(),
                            [](ShadowClass c) { return static_cast<std::uint8_t>(c); });
-    write_in_bands(job, bytes, outcome.writing_s);
+    write_in_bands(job, bytes, outcome.writing_s, [](std::size_t, GridView<std::uint8_t>) {});
 }
 
 void heights_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& outcome)
@@ -73,9 +75,16 @@ void heights_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& 
         const Stopwatch watch(outcome.casting_s);
         shadows = job.caster.shadow_heights(terrain, job.light, with_progress(job, 0.2, 0.9));
         count_into(outcome.count, terrain.heights_m.view(), shadows.view());
-        finish_shadow_heights(job, terrain.heights_m.view(), shadows.view(), 0, 0);
     }
-    write_in_bands(job, shadows, outcome.writing_s);
+    // The file's own heights are read once more, band by band: keeping them would take as much memory again.
+    const std::size_t band = std::max<std::size_t>(job.writer.block_rows(), 256);
+    Grid<float> own_m(std::min(band, shadows.rows()), shadows.columns());
+    write_in_bands(job, shadows, outcome.writing_s, [&](std::size_t first, GridView<float> shadow_m) {
+        const auto own = own_m.view().window(0, 0, shadow_m.rows(), shadow_m.columns());
+        job.file.read(first, 0, own);
+        finish_shadow_heights(job, own, terrain.heights_m.view().window(first, 0, own.rows(), own.columns()),
+                              shadow_m, first, 0);
+    });
 }
 
 double bytes_per_cell(ShadowResult result)
@@ -93,10 +102,13 @@ double bytes_per_cell(ShadowResult result)
 
 } // namespace
 
+void require_memory_for_whole(const HeightFile& file, ShadowResult result)
+{
+    require_memory(file.rows(), file.columns(), bytes_per_cell(result), "'" + file.facts().path + "'");
+}
+
 ShadowOutcome cast_whole(const ShadowJob& job)
 {
-    require_memory(job.file.rows(), job.file.columns(), bytes_per_cell(job.result),
-                   "'" + job.file.facts().path + "'");
     ShadowOutcome outcome;
     const Terrain terrain = lowered_terrain(job, outcome.reading_s);
     if (job.result == ShadowResult::heights)
@@ -106,27 +118,27 @@ ShadowOutcome cast_whole(const ShadowJob& job)
     return outcome;
 }
 
-void finish_shadow_heights(const ShadowJob& job, GridView<const float> ground_m, GridView<float> shadow_m,
-                           std::size_t first_row, std::size_t first_column)
+void finish_shadow_heights(const ShadowJob& job, GridView<const float> own_m, GridView<const float> ground_m,
+                           GridView<float> shadow_m, std::size_t first_row, std::size_t first_column)
 {
+    EarthCurvature raised = job.curvature;
+    raised.coefficient = -raised.coefficient;
+    Grid<float> cast_m(shadow_m.rows(), shadow_m.columns());
     for (std::size_t y = 0; y < shadow_m.rows(); ++y)
-        std::ranges::transform(ground_m.row(y), shadow_m.row(y), shadow_m.row(y).begin(),
-                               [](float ground, float shadow) { return ground >= shadow ? ground : shadow; });
-    if (job.curvature.coefficient != 0.0) {
-        EarthCurvature raised = job.curvature;
-        raised.coefficient = -raised.coefficient;
+        std::ranges::copy(shadow_m.row(y), cast_m.row(y).begin());
+    if (raised.coefficient != 0.0)
         CurvedEarth(raised, job.file.ground().cell_size_m, job.file.columns())
             .lower(shadow_m, first_row, first_column);
-    }
+
     const HeightFileFacts& facts = job.file.facts();
     const double unit = facts.metres_per_unit * facts.z_factor;
-    const auto as_written = [&](float height_m) {
-        return std::isfinite(height_m)
-                   ? static_cast<float>((static_cast<double>(height_m) + facts.base_m) / unit)
-                   : kNoHeight;
-    };
-    for (std::size_t y = 0; y < shadow_m.rows(); ++y)
-        std::ranges::transform(shadow_m.row(y), shadow_m.row(y).begin(), as_written);
+    for (std::size_t y = 0; y < shadow_m.rows(); ++y) {
+        for (std::size_t x = 0; x < shadow_m.columns(); ++x) {
+            const bool lit = ground_m(y, x) >= cast_m(y, x);
+            const double height_m = static_cast<double>(lit ? own_m(y, x) : shadow_m(y, x)) + facts.base_m;
+            shadow_m(y, x) = std::isfinite(height_m) ? static_cast<float>(height_m / unit) : kNoHeight;
+        }
+    }
 }
 
 void count_into(LitCount& count, GridView<const float> ground_m, GridView<const float> shadow_m)

@@ -38,22 +38,24 @@ struct ShadowOutcome {
     double writing_s = 0.0;
 };
 
-/// Reads all heights, casts, writes. Every caster and result. Throws what reading, casting and writing throw;
-/// UnsupportedOnThisMachine, before anything is read, when it does not fit in memory.
+/// Throws UnsupportedOnThisMachine when `cast_whole` needs more memory than there is.
+void require_memory_for_whole(const HeightFile& file, ShadowResult result);
+
+/// Reads all heights, casts, writes. Every caster and result. Throws what reading, casting and writing throw.
 ShadowOutcome cast_whole(const ShadowJob& job);
 
-/// Whether `cast_in_stream` can do the job.
-bool can_stream(const ShadowJob& job);
+/// Whether `cast_in_stream` can do such a job.
+bool can_stream(const Caster& caster, ShadowResult result);
 
 /// Sweeps the file from block to block in the order the light meets them, reading, sweeping and writing at the
 /// same time. Needs memory for a few blocks of lines only. The same bytes as `cast_whole`.
 ShadowOutcome cast_in_stream(const ShadowJob& job);
 
-/// Shadow heights as they are written, from those that were cast: at least the ground (what is lit is in the
-/// sun where it stands), in the file's unit and counted from its zero, the earth's curvature put back.
-/// `ground_m` are the lowered heights they were cast on; the result replaces the shadow heights.
-void finish_shadow_heights(const ShadowJob& job, GridView<const float> ground_m, GridView<float> shadow_m,
-                           std::size_t first_row, std::size_t first_column);
+/// Shadow heights as they are written, where those that were cast are: at least the ground, in the file's unit
+/// and counted from its zero, the earth's curvature put back. `ground_m` are the lowered heights they were cast
+/// on; `own_m` those of the file, which lit cells get back to the bit.
+void finish_shadow_heights(const ShadowJob& job, GridView<const float> own_m, GridView<const float> ground_m,
+                           GridView<float> shadow_m, std::size_t first_row, std::size_t first_column);
 
 /// Which cells are lit, by their shadow heights as cast.
 void count_into(LitCount& count, GridView<const float> ground_m, GridView<const float> shadow_m);

@@ -91,10 +91,13 @@ public:
     }
 
 private:
+    static constexpr bool kAnswersAreHeights = std::is_same_v<Answer, float>;
+
     // What one slab needs while it is under way.
     struct Slot {
         Grid<float> heights_m;
         Grid<Answer> answers;
+        Grid<float> own_m; // heights of the file, for answers that are heights
     };
 
     std::size_t lines() const { return frame_.lines_are_rows ? job_.file.rows() : job_.file.columns(); }
@@ -106,10 +109,12 @@ private:
         const std::size_t most_lines = std::min(at_once_, lines());
         const std::size_t rows = frame_.lines_are_rows ? most_lines : job_.file.rows();
         const std::size_t columns = frame_.lines_are_rows ? job_.file.columns() : most_lines + kPadding;
-        require_memory(rows * count, columns, sizeof(float) + sizeof(Answer),
+        require_memory(rows * count, columns,
+                       sizeof(float) + (kAnswersAreHeights ? 2.0 * sizeof(float) : 1.0),
                        "'" + job_.file.facts().path + "', a slab at a time,");
         for (std::size_t i = 0; i < count; ++i)
-            slots_.push_back({Grid<float>(rows, columns), Grid<Answer>(rows, columns)});
+            slots_.push_back({Grid<float>(rows, columns), Grid<Answer>(rows, columns),
+                              kAnswersAreHeights ? Grid<float>(rows, columns) : Grid<float>()});
     }
 
     // The part of a slot's grid that a slab fills.
@@ -133,6 +138,11 @@ private:
         const Stopwatch watch(outcome_.reading_s);
         const GridView<float> heights_m = of_slab(slot(item).heights_m, item);
         job_.file.read(first_row(item), first_column(item), heights_m);
+        if constexpr (kAnswersAreHeights) {
+            const GridView<float> own_m = of_slab(slot(item).own_m, item);
+            for (std::size_t y = 0; y < own_m.rows(); ++y)
+                std::ranges::copy(heights_m.row(y), own_m.row(y).begin());
+        }
         if (curved_)
             curved_->lower(heights_m, first_row(item), first_column(item));
     }
@@ -156,7 +166,7 @@ private:
             for (std::size_t y = 0; y < answers.rows(); ++y)
                 std::ranges::copy(uniform.row(y), answers.row(y).begin());
         };
-        if constexpr (std::is_same_v<Answer, Lit>)
+        if constexpr (!kAnswersAreHeights)
             copy(uniform_mask(field, *uniform_));
         else
             copy(uniform_shadow_heights(field, *uniform_));
@@ -166,13 +176,14 @@ private:
     {
         const Stopwatch watch(outcome_.writing_s);
         const GridView<Answer> answers = of_slab(slot(item).answers, item);
-        if constexpr (std::is_same_v<Answer, Lit>) {
+        if constexpr (!kAnswersAreHeights) {
             count_into(outcome_.count, answers);
             encode(answers, job_.codes);
         } else {
             const GridView<const float> ground_m = of_slab(slot(item).heights_m, item);
             count_into(outcome_.count, ground_m, answers);
-            finish_shadow_heights(job_, ground_m, answers, first_row(item), first_column(item));
+            finish_shadow_heights(job_, of_slab(slot(item).own_m, item), ground_m, answers, first_row(item),
+                                  first_column(item));
         }
         job_.writer.write(first_row(item), first_column(item), GridView<const Answer>(answers));
     }
@@ -190,9 +201,9 @@ private:
 
 } // namespace
 
-bool can_stream(const ShadowJob& job)
+bool can_stream(const Caster& caster, ShadowResult result)
 {
-    return job.caster.name == "sweep" && job.result != ShadowResult::classes;
+    return caster.name == "sweep" && result != ShadowResult::classes;
 }
 
 ShadowOutcome cast_in_stream(const ShadowJob& job)

@@ -343,8 +343,8 @@ private:
         const double latitude = std::abs(frame().centre->latitude.degrees());
         if (variation > kVariationIgnored || (map.is_geographic() && latitude > kHighLatitude_deg))
             warn("cells differ in size by " + plain_number((variation - 1.0) * 100.0, 1)
-                 + " % from edge to edge, and are all taken as at the centre; " + warp_remedy(file_, frame())
-                 + " without this error");
+                 + " % from edge to edge, and are all taken as at the centre; "
+                 + warp_remedy(file_, frame()));
         if (!complete && !map.is_geographic())
             warn("parts of the raster lie outside the projection of its coordinate system");
     }

@@ -212,6 +212,8 @@ RasterWriter::Open::Open(const std::string& path, const HeightFile& like, const 
 RasterWriter::Open::~Open()
 {
     const GdalErrors quiet;
+    if (dataset)
+        dataset->MarkSuppressOnClose();
     dataset.reset();
 }
 
@@ -233,6 +235,8 @@ void RasterWriter::Open::try_out(const HeightFile& like) const
     const std::string name = std::filesystem::path(staged.path()).filename().string();
     Dataset trial(driver->CreateCopy((folder + "/" + name).c_str(), cells.get(), FALSE,
                                      const_cast<char**>(creation_options.List()), nullptr, nullptr));
+    if (!trial && !staged.takes_bytes())
+        fail(errors);
     if (!trial)
         throw InvalidInput("the format " + std::string(driver->GetDescription())
                            + " cannot hold this result: " + errors.reason("GDAL does not say why"));

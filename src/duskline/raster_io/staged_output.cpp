@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <vector>
 
@@ -184,6 +185,18 @@ void StagedOutput::discard()
         const GdalErrors quiet;
         VSIUnlink(target_.c_str());
     }
+}
+
+bool StagedOutput::takes_bytes() const
+{
+    const std::string path = scratch_path("bytes");
+    std::ofstream file(path, std::ios::binary);
+    file << std::string(std::size_t{1} << 20U, '.') << std::flush;
+    const bool written = file.good();
+    file.close();
+    std::error_code ignored;
+    fs::remove(path, ignored);
+    return written;
 }
 
 double StagedOutput::free_mebibytes() const

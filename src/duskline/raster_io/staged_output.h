@@ -38,6 +38,9 @@ public:
     /// Brings everything to disk and moves it to its place. Throws OutputError.
     void publish();
 
+    /// Whether a file of some size can be written here: is it the format, or the disk?
+    bool takes_bytes() const;
+
     /// Of the file system the result goes to; for messages. 0 when not known.
     double free_mebibytes() const;
 
