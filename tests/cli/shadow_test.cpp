@@ -72,7 +72,7 @@ TEST_F(ShadowCommand, WritesAMaskOnTheGridOfTheInput)
 TEST_F(ShadowCommand, TagsSayTheLightAndTheAssumptions)
 {
     make(hills(40, 50));
-    shadow({"dem.tif", "a.tif", "--azimuth", "200", "--altitude", "12.5", "-z", "2"});
+    shadow({"dem.tif", "a.tif", "--azimuth", "200", "--altitude", "12.5", "-z", "2", "--caster", "sweep"});
     ReadRaster mask = read("a.tif");
     EXPECT_EQ(mask.tags["LIGHT_AZIMUTH"], "200");
     EXPECT_EQ(mask.tags["LIGHT_ALTITUDE"], "12.5");
