@@ -261,9 +261,10 @@ private:
 
     static CellSteps turned(const CellSteps& steps, double clockwise_deg)
     {
-        const auto [s, c] = sine_cosine(Angle::from_degrees(clockwise_deg));
+        const SineCosine turning = sine_cosine(Angle::from_degrees(clockwise_deg));
         const auto turn = [&](GroundVector v) {
-            return GroundVector{v.east_m * c + v.north_m * s, v.north_m * c - v.east_m * s};
+            return GroundVector{v.east_m * turning.cosine + v.north_m * turning.sine,
+                                v.north_m * turning.cosine - v.east_m * turning.sine};
         };
         return {turn(steps.column), turn(steps.row)};
     }
