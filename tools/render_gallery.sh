@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of docs/gallery anew.
+# Draws the pictures of docs/gallery, and those of docs/algorithms, anew.
 #
 # usage: tools/render_gallery.sh [DUSKLINE [TERRAINS]]
 #   DUSKLINE  the program; build/release/apps/duskline/duskline when left out
@@ -72,3 +72,18 @@ for palette in natural atlas alpine desert; do
     draw palette_$palette.jpg "$terrains/lakes/sierra_30m_1100.tif" --palette $palette --azimuth 315 \
         --altitude 30 --size 360
 done
+
+# A section through Mauna Kea along its light, and where the sweep differs from the truth.
+algorithms=docs/algorithms
+"$duskline" shadow $hawaii "$scratch/section.tif" --heights --caster sweep --azimuth 270 --altitude 4 --flat --quiet
+for part in $hawaii "$scratch/section.tif"; do
+    gdal_translate -q -of XYZ -srcwin 160 690 1600 2 "$part" "$scratch/$(basename "$part" .tif).xyz"
+done
+tools/draw_profile.py "$scratch/hawaii_2048.xyz" "$scratch/section.xyz" 4 $algorithms/sweep_section.svg
+echo $algorithms/sweep_section.svg
+for caster in fast-ray sweep; do
+    "$duskline" shadow $hawaii "$scratch/$caster.pgm" --caster $caster --azimuth 203 --altitude 5 --flat --quiet
+done
+tools/draw_difference.py "$scratch/fast-ray.pgm" "$scratch/sweep.pgm" 1240 560 120 5 "$scratch/difference.ppm"
+gdal_translate -q -of PNG "$scratch/difference.ppm" $algorithms/sweep_difference.png --config GDAL_PAM_ENABLED NO
+echo $algorithms/sweep_difference.png
