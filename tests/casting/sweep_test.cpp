@@ -129,6 +129,22 @@ TEST(Sweep, ReadsAWindowOfALargerGridInPlace)
     }
 }
 
+// There a beam is over no ground for many lines, and would miss the walls that it passes meanwhile.
+TEST(Sweep, ShadesTheOutermostLineOfCellsInLightNearlyAlongIt)
+{
+    Terrain walls{Grid<float>(101, 401, 0.0f), {10.0, 10.0}};
+    for (std::size_t row = 0; row < 101; ++row)
+        for (std::size_t column = 0; column < 401; column += 25)
+            walls.heights_m(row, column) = 20.0f; // with a shadow of 11 cells
+    for (const double azimuth : {89.5, 90.2, 90.5, 91.0, 95.0, 269.5, 270.2, 270.5, 271.0}) {
+        const ShadowMask mask =
+            cast_by_sweep(walls, {.azimuth = Angle::from_degrees(azimuth), .altitude = 10_deg});
+        const auto in_shadow = [&](std::size_t row) { return std::ranges::count(mask.row(row), Lit::no); };
+        const bool light_from_the_south = azimuth > 90.0 && azimuth < 270.0;
+        EXPECT_EQ(in_shadow(light_from_the_south ? 0 : 100), in_shadow(50)) << "azimuth " << azimuth;
+    }
+}
+
 TEST(Sweep, RefusesASimdLevelThereIsNot)
 {
     EXPECT_THROW(SweepFront(10, 10, LightFrame{}, "avx1024"), InvalidInput);

@@ -188,7 +188,6 @@ inline void carry_other_beams(const StripLines& strip, const float* heights, Bea
 template <class MakeAnswer>
 HWY_INLINE float* sweep_lines(const SweepLines& sweep, const MakeAnswer& answer_for_line)
 {
-    static constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
     const StripLines& strip = sweep.strip;
     const std::ptrdiff_t sideways = strip.sideways;
     const auto beams = static_cast<std::size_t>(strip.last_beam - strip.first_beam + 2);
@@ -223,14 +222,15 @@ HWY_INLINE float* sweep_lines(const SweepLines& sweep, const MakeAnswer& answer_
                             tilt_m};
             const auto answer = answer_for_line(i, first);
             const auto count = static_cast<std::size_t>(last - first);
-            // The beam ahead of the outermost cell has left the grid: there is no ground under it.
+            // The beam ahead of the outermost cell has left the grid. It shades nothing but that cell, which is
+            // compared with what it passes, so it goes on over ground like the cell's.
             const bool from_edge = far < 0 && first == 0;
             const bool to_edge = far > 0 && last == cells;
             sweep_line(line, from_edge ? 1 : 0, to_edge ? count - 1 : count, answer);
             if (from_edge || to_edge) {
                 const std::size_t edge = from_edge ? 0 : count - 1;
                 Line alone = line;
-                alone.far_cell = &kNoData - edge;
+                alone.far_cell = line.near_cell;
                 answer.cells(hn::CappedTag<float, 1>(), alone, edge);
             }
         }
