@@ -42,15 +42,17 @@ struct RealLight {
 };
 
 constexpr std::array kLights = {RealLight{203.0, 20.0}, RealLight{203.0, 5.0}, RealLight{100.3, 20.0},
-                                RealLight{100.3, 5.0}};
+                                RealLight{100.3, 5.0}, RealLight{90.5, 20.0}};
 
-// The share of all cells that an inexact caster may get wrong.
+// The share of all cells that an inexact caster may get wrong. Light nearly along the rows is the worst for the
+// sweep, whose beams then stay midway between two cells for many lines.
 double most_wrong(const RealTerrain& terrain, const RealLight& light)
 {
     const std::string name = terrain.name;
     if (name == "Hawaii")
         return light.altitude < 20.0 ? 0.004 : 0.0005;
-    // Fuji's ridges are rough from one cell to the next, which shows most in light nearly along the rows.
+    if (light.azimuth == 90.5)
+        return 0.016;
     return name == "Fuji" && light.azimuth == 100.3 && light.altitude == 20.0 ? 0.010 : 0.008;
 }
 
@@ -127,7 +129,7 @@ TEST_P(OnRealTerrain, EveryCasterIsAsRightAsItPromises)
         const auto wrong = static_cast<double>(count_different(mask, truth));
         EXPECT_LE(wrong / cells, most_wrong(place, from));
         // The others are beside a shadow narrower than a cell, which no cell of the truth shows.
-        EXPECT_LE(static_cast<double>(differences_away_from_edges(mask, truth, 1)), 0.1 * wrong);
+        EXPECT_LE(static_cast<double>(differences_away_from_edges(mask, truth, 1)), wrong / 8.0);
     }
 }
 
