@@ -20,8 +20,9 @@ namespace duskline {
 inline constexpr std::size_t kMostBeamsAlongRows = 8192;
 inline constexpr std::size_t kMostBeamsAlongColumns = 512;
 
-/// Strips for each of several threads, so that one that comes late finds less to do.
-inline constexpr std::size_t kStripsPerThread = 2;
+/// Strips for each of several threads. More would share the work out better among busy ones, but narrow strips of
+/// rows stream badly.
+inline constexpr std::size_t kStripsPerThread = 1;
 
 /// Columns turned at a time.
 inline constexpr std::size_t kLinesPerBlock = 64;
