@@ -1,5 +1,6 @@
-// One pass over numbers just read, while they are in the cache. Written so that compilers vectorise it: values
-// that decide are prepared outside the loop, and nothing in it branches.
+// One pass over numbers just read, while they are in the cache. Most pieces of most rasters hold nothing but
+// heights: whether one does is asked first, in a loop that compilers vectorise, and only the others are looked
+// at number by number.
 
 #include <duskline/raster_io/clean_heights.h>
 
@@ -21,50 +22,60 @@ struct Voids {
     float declared = kNaN;
     float more = kNaN;
     float customary = kNaN;
-};
 
-struct Counts {
-    std::uint32_t no_data = 0;
-    std::uint32_t undeclared = 0;
-    std::uint32_t infinite = 0;
-};
-
-// At most 2^24 values, so that the counts fit the lanes of a vector.
-Counts clean_piece(float* values, std::size_t count, const Voids& voids, float factor, float shift)
-{
-    std::uint32_t no_data = 0;
-    std::uint32_t undeclared = 0;
-    std::uint32_t infinite = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const float h = values[i];
-        const float size = std::abs(h);
-        const std::uint32_t is_infinite = size > std::numeric_limits<float>::max() ? 1U : 0U;
-        const std::uint32_t is_declared =
-            (h == voids.declared ? 1U : 0U) | (h == voids.more ? 1U : 0U) | (h != h ? 1U : 0U);
-        const std::uint32_t is_void =
-            (size >= kTooLarge ? 1U : 0U) | (h == kShortVoid ? 1U : 0U) | (h == voids.customary ? 1U : 0U);
-        const std::uint32_t is_nothing = is_declared | is_void;
-        values[i] = is_nothing != 0U ? kNaN : h * factor + shift;
-        no_data += is_nothing;
-        undeclared += is_void & (is_declared ^ 1U);
-        infinite += is_infinite & (is_declared ^ 1U);
+    bool is_declared(float h) const { return h == declared || h == more || std::isnan(h); }
+    bool is_undeclared(float h) const
+    {
+        return std::abs(h) >= kTooLarge || h == kShortVoid || h == customary;
     }
-    return {no_data, undeclared, infinite};
+};
+
+// Whether all numbers are heights for sure: none near a void that is lower than any ground, or too large, and none
+// of those that are declared.
+bool are_all_heights(std::span<const float> values, const Voids& voids)
+{
+    const float lowest = std::isnan(voids.customary) ? kShortVoid : kCustomaryVoid;
+    std::uint32_t heights = 0;
+    for (const float h : values) {
+        const bool is_height = (h > lowest) & (h < kTooLarge) & (h != voids.declared) & (h != voids.more);
+        heights += static_cast<std::uint32_t>(is_height);
+    }
+    return heights == values.size();
+}
+
+void to_heights(std::span<float> values, const Cleaning& how)
+{
+    if (how.factor == 1.0F && how.shift == 0.0F)
+        return;
+    for (float& value : values)
+        value = value * how.factor + how.shift;
+}
+
+void clean_one_by_one(std::span<float> values, const Voids& voids, const Cleaning& how, ReadTally& tally)
+{
+    for (float& value : values) {
+        const bool declared = voids.is_declared(value);
+        const bool undeclared = !declared && voids.is_undeclared(value);
+        tally.no_data += declared || undeclared ? 1U : 0U;
+        tally.undeclared_voids += undeclared ? 1U : 0U;
+        tally.infinities += undeclared && std::isinf(value) ? 1U : 0U;
+        value = declared || undeclared ? kNaN : value * how.factor + how.shift;
+    }
 }
 
 } // namespace
 
 void clean_heights(std::span<float> values, const Cleaning& how, ReadTally& tally)
 {
+    constexpr std::size_t piece = 256;
     const Voids voids = {how.declared_no_data.value_or(kNaN), how.more_no_data.value_or(kNaN),
                          how.declared_no_data ? kNaN : kCustomaryVoid};
-    constexpr std::size_t piece = std::size_t{1} << 24U;
     for (std::size_t first = 0; first < values.size(); first += piece) {
-        const Counts counts = clean_piece(values.data() + first, std::min(piece, values.size() - first),
-                                          voids, how.factor, how.shift);
-        tally.no_data += counts.no_data;
-        tally.undeclared_voids += counts.undeclared;
-        tally.infinities += counts.infinite;
+        const auto part = values.subspan(first, std::min(piece, values.size() - first));
+        if (are_all_heights(part, voids))
+            to_heights(part, how);
+        else
+            clean_one_by_one(part, voids, how, tally);
     }
     tally.cells += values.size();
 }

@@ -181,6 +181,7 @@ void StagedOutput::discard()
     std::error_code ignored;
     if (!scratch_folder_.empty())
         fs::remove_all(scratch_folder_, ignored);
+    scratch_folder_.clear();
     if (is_virtual_ && !published_) {
         const GdalErrors quiet;
         VSIUnlink(target_.c_str());
