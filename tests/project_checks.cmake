@@ -3,8 +3,14 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 add_test(NAME layers COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_layers.py ${PROJECT_SOURCE_DIR})
 add_test(NAME layers_self_test COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layers_test.py)
+# Links lead somewhere; what the pages quote is what the files say and the command prints.
+if(DUSKLINE_BUILD_APPS)
+  set(docs_command --duskline $<TARGET_FILE:duskline_command>)
+endif()
+add_test(NAME docs COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_docs.py ${docs_command})
+add_test(NAME docs_self_test COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_docs_test.py)
 add_test(NAME compare_masks COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/compare_masks_test.py)
-set_tests_properties(layers layers_self_test compare_masks PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+set_tests_properties(layers layers_self_test docs docs_self_test compare_masks PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
 # 77 says that clang-format is not here. clang-tidy takes a minute and more: .ci/run calls it.
 add_test(NAME format COMMAND ${PROJECT_SOURCE_DIR}/tools/check_format.sh)
