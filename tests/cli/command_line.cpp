@@ -140,6 +140,17 @@ Finished CommandLineTest::wait_for(pid_t process) const
     return finished;
 }
 
+bool CommandLineTest::has_terminals()
+{
+    int ours = -1;
+    int theirs = -1;
+    if (openpty(&ours, &theirs, nullptr, nullptr, nullptr) != 0)
+        return false;
+    close(ours);
+    close(theirs);
+    return true;
+}
+
 Finished CommandLineTest::run_on_terminal(const Arguments& arguments) const
 {
     const Arguments command = with_program(arguments);

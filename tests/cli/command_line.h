@@ -28,6 +28,9 @@ protected:
     /// Runs `duskline ARGUMENTS...` to its end; kills it, and fails the test, after a minute.
     Finished run(const Arguments& arguments) const;
 
+    /// Whether this machine lets a program open a terminal; a bare container may not.
+    static bool has_terminals();
+
     /// The same with stderr on a terminal, where a progress bar shows. What it shows is in `err`.
     Finished run_on_terminal(const Arguments& arguments) const;
 
