@@ -150,7 +150,7 @@ ChosenLight choose_light(const LightOptions& options, const LightSite& site, Rep
     if (options.sun_size_deg)
         chosen.light.angular_diameter = Angle::from_degrees(*options.sun_size_deg);
     if (!(chosen.light.altitude.degrees() > 0.0))
-        report.note("the light is not above the horizon: everything is dark");
+        report.warn("the light is not above the horizon: everything is dark");
     return chosen;
 }
 

@@ -259,14 +259,14 @@ TEST_F(ShadowCommand, ValuesCanBeChosen)
     EXPECT_EQ(mask(40, 30), 7.0F);
 }
 
-TEST_F(ShadowCommand, ANightIsDarkWithANote)
+TEST_F(ShadowCommand, ANightIsDarkWithAWarning)
 {
     make(hills(30, 40));
     for (const char* altitude : {"-10", "0"}) {
         const auto summary = shadow({"dem.tif", "mask.tif", "--azimuth", "31", "--altitude", altitude});
         EXPECT_EQ(summary["lit"], 0);
         EXPECT_EQ(summary["shadow"].get<std::size_t>() + summary["no_data"].get<std::size_t>(), 30U * 40U);
-        EXPECT_THAT(summary["notes"].dump(), HasSubstr("everything is dark"));
+        EXPECT_THAT(summary["warnings"].dump(), HasSubstr("everything is dark"));
     }
     shadow({"dem.tif", "heights.tif", "--heights", "--azimuth", "31", "--altitude", "-1"});
     for (const float height : read("heights.tif").values)

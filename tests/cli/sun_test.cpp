@@ -16,7 +16,7 @@ class SunCommand : public CommandLineTest {
 protected:
     nlohmann::json run_for_json(Arguments arguments) const
     {
-        arguments.insert(arguments.begin(), "sun");
+        arguments.emplace(arguments.begin(), "sun");
         arguments.emplace_back("--json");
         const Finished finished = run(arguments);
         EXPECT_EQ(finished.exit_code, 0) << finished.err;
@@ -160,7 +160,7 @@ class SunUsage : public CommandLineTest, public ::testing::WithParamInterface<Wr
 TEST_P(SunUsage, IsRefusedOnOneLineWithCode2)
 {
     Arguments arguments = GetParam().arguments;
-    arguments.insert(arguments.begin(), "sun");
+    arguments.emplace(arguments.begin(), "sun");
     const Finished finished = run(arguments);
     EXPECT_EQ(finished.exit_code, 2);
     EXPECT_TRUE(is_one_error_line(finished.err));

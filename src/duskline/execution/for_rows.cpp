@@ -1,6 +1,5 @@
 #include <duskline/execution/for_rows.h>
 
-#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -103,22 +102,18 @@ void for_rows(std::size_t count, std::size_t piece, const Execution& execution,
             do_piece(i * piece);
         return;
     }
+    // Made before the fork and called by reference, so that its own fields are part of the order too.
+    const auto do_task = [&](std::size_t i) {
+        [[maybe_unused]] const TaskOrder order;
+        do_piece(i * piece);
+    };
     fork_tasks();
     // Unasked, oneTBB gives no more threads than processors, and says so on stderr.
     std::optional<tbb::global_control> more_than_processors;
     if (threads > static_cast<std::size_t>(tbb::info::default_concurrency()))
         more_than_processors.emplace(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(static_cast<int>(threads));
-    arena.execute([&] {
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, pieces, 1),
-            [&](const tbb::blocked_range<std::size_t>& range) {
-                [[maybe_unused]] const TaskOrder order;
-                for (std::size_t i = range.begin(); i != range.end(); ++i)
-                    do_piece(i * piece);
-            },
-            tbb::simple_partitioner());
-    });
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, pieces, do_task, tbb::simple_partitioner()); });
     join_tasks();
 }
 
