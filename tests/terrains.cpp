@@ -1,5 +1,6 @@
 #include "terrains.h"
 
+#include <duskline/terrain/ground_height.h>
 #include <duskline/terrain/synthetic_terrain.h>
 
 #include <gtest/gtest.h>
@@ -111,6 +112,49 @@ DirectionalLight random_light(Dice& dice)
     return {.azimuth = Angle::from_degrees(azimuth), .altitude = Angle::from_degrees(altitude)};
 }
 
+namespace {
+
+// A coordinate of a lamp along `count` samples, a multiple of 2^-30: turning it is exact.
+double lamp_coordinate(Dice& dice, std::size_t count)
+{
+    const double last = static_cast<double>(count) - 1.0;
+    double place = dice.between(0.0, last);
+    if (dice.chance(0.15))
+        place = dice.between(-1.5 * last - 2.0, 2.5 * last + 2.0);
+    else if (dice.chance(0.03))
+        place = dice.between(-1e6, 1e6);
+    if (dice.chance(0.3)) {
+        constexpr std::array beside{0.0, 0.0, 0.0, 0.5, 1e-5, -1e-5, 0.01, -0.01};
+        place = std::round(place) + beside[dice.below(beside.size())];
+    }
+    return std::round(place * 0x1p30) * 0x1p-30;
+}
+
+} // namespace
+
+PointLight random_lamp(Dice& dice, const HeightField& field)
+{
+    PointLight lamp;
+    lamp.position.row = lamp_coordinate(dice, field.rows());
+    lamp.position.column = lamp_coordinate(dice, field.columns());
+    const auto ground_m = ground_height_m(field, lamp.position.row, lamp.position.column);
+    const HeightRange range = height_range(field);
+    const double lowest_m = std::isfinite(range.lowest_m) ? range.lowest_m : 0.0;
+    const double relief_m = std::isfinite(range.lowest_m) ? range.highest_m - lowest_m + 1.0 : 1.0;
+    const double choice = dice.between(0.0, 1.0);
+    if (choice < 0.5 || !ground_m)
+        lamp.position.height_m = lowest_m + relief_m * dice.between(-0.2, 1.5);
+    else if (choice < 0.95)
+        lamp.position.height_m = *ground_m + relief_m * std::pow(dice.between(0.0, 1.0), 3.0);
+    else
+        lamp.position.height_m = *ground_m;
+    // A lamp far away that sees the ground at all.
+    const double away = std::hypot(lamp.position.row, lamp.position.column) / 300.0;
+    if (away > 1.0)
+        lamp.position.height_m += relief_m * away * dice.between(0.0, 2.0);
+    return lamp;
+}
+
 void for_seeds(std::uint64_t count, const std::function<void(Dice& dice)>& check)
 {
     for (std::uint64_t seed = 1; seed <= count; ++seed) {
@@ -142,6 +186,12 @@ DirectionalLight turned(const DirectionalLight& light)
     return result;
 }
 
+PointLight turned(const PointLight& lamp, const Terrain& terrain)
+{
+    const double last_row = static_cast<double>(terrain.heights_m.rows()) - 1.0;
+    return {{lamp.position.column, last_row - lamp.position.row, lamp.position.height_m}};
+}
+
 Terrain mirrored(const Terrain& terrain)
 {
     return {mirrored(terrain.heights_m), terrain.cell_size_m};
@@ -152,6 +202,12 @@ DirectionalLight mirrored(const DirectionalLight& light)
     DirectionalLight result = light;
     result.azimuth = -light.azimuth;
     return result;
+}
+
+PointLight mirrored(const PointLight& lamp, const Terrain& terrain)
+{
+    const double last_column = static_cast<double>(terrain.heights_m.columns()) - 1.0;
+    return {{lamp.position.row, last_column - lamp.position.column, lamp.position.height_m}};
 }
 
 Terrain framed_by_no_data(const Terrain& terrain, std::size_t cells)

@@ -3,6 +3,7 @@
 // Terrains for tests: random and nasty ones, and ways to turn, mirror and change them.
 
 #include <duskline/light/directional_light.h>
+#include <duskline/light/point_light.h>
 #include <duskline/terrain/height_field.h>
 
 #include <cstdint>
@@ -44,6 +45,10 @@ Terrain random_terrain(Dice& dice, const RandomTerrainOptions& options = {});
 /// it; altitudes of 1 to 75 degrees, sometimes nearly 0 or 90.
 DirectionalLight random_light(Dice& dice);
 
+/// A lamp anywhere: over the grid, on its lines and samples and next to them, beside it and far away; low, high,
+/// between the heights of the terrain, on the ground and now and then under it.
+PointLight random_lamp(Dice& dice, const HeightField& field);
+
 /// Calls `check(dice)` with `count` different seeds, and names the seed when it fails.
 void for_seeds(std::uint64_t count, const std::function<void(Dice& dice)>& check);
 
@@ -61,6 +66,7 @@ Grid<T> turned(const Grid<T>& grid)
 }
 Terrain turned(const Terrain& terrain);
 DirectionalLight turned(const DirectionalLight& light);
+PointLight turned(const PointLight& lamp, const Terrain& terrain);
 
 /// West becomes east.
 template <typename T>
@@ -74,6 +80,7 @@ Grid<T> mirrored(const Grid<T>& grid)
 }
 Terrain mirrored(const Terrain& terrain);
 DirectionalLight mirrored(const DirectionalLight& light);
+PointLight mirrored(const PointLight& lamp, const Terrain& terrain);
 
 /// The terrain with `cells` rows and columns of no data around it.
 Terrain framed_by_no_data(const Terrain& terrain, std::size_t cells);

@@ -502,8 +502,8 @@ TEST_P(EveryCaster, HostileHeightsDoNoHarm)
 
 TEST(Casters, AreFoundByName)
 {
-    EXPECT_EQ(caster_named("ray").cast, cast_by_ray);
-    EXPECT_EQ(caster_named("fast-ray").cast, cast_by_fast_ray);
+    EXPECT_EQ(caster_named("ray").cast, decltype(Caster::cast){cast_by_ray});
+    EXPECT_EQ(caster_named("fast-ray").cast, decltype(Caster::cast){cast_by_fast_ray});
     EXPECT_EQ(kCasters.front().name, "ray") << "the reference comes first";
     try {
         caster_named("rays");

@@ -409,10 +409,10 @@ TEST(TerrainRays, RefusePlacesAndLightsThatAreNone)
     const Terrain flat = make_plane({.grid = {.rows = 4, .columns = 4}});
     const TerrainRays rays(flat);
     for (const double bad : {std::nan(""), kInfinity, -kInfinity, 1e16}) {
-        EXPECT_THROW(rays.shadow_height_m(bad, 0.0, {}), InvalidInput);
-        EXPECT_THROW(rays.shadow_height_m(0.0, bad, {}), InvalidInput);
+        EXPECT_THROW(rays.shadow_height_m(bad, 0.0, DirectionalLight{}), InvalidInput);
+        EXPECT_THROW(rays.shadow_height_m(0.0, bad, DirectionalLight{}), InvalidInput);
     }
-    EXPECT_THROW(rays.is_shadowed({.height_m = std::nan("")}, {}), InvalidInput);
+    EXPECT_THROW(rays.is_shadowed({.height_m = std::nan("")}, DirectionalLight{}), InvalidInput);
     EXPECT_THROW(rays.is_shadowed({}, {.altitude = 91_deg}), InvalidInput);
     EXPECT_THROW(TerrainRays({flat.heights_m.view(), {0.0, 1.0}}), InvalidInput);
 }

@@ -1,4 +1,4 @@
-// The fast ray: the march of ray_march.h, with a look at the min/max pyramid before each step. Seen from
+// The fast ray: the march of shadow_march.h, with a look at the min/max pyramid before each step. Seen from
 // above, a ray that has come to a line looks at the blocks it will pass through until the far side of the
 // block it stands at:
 //
@@ -16,6 +16,7 @@
 // I3D 2008. Departs from it: the surface is the grid-line surface and not bilinear patches, and a ray moves
 // by lines of the grid, so that no rounding decides which block it is in.
 
+#include <duskline/casting/lamp_march.h>
 #include <duskline/casting/ray.h>
 #include <duskline/casting/ray_cells.h>
 #include <duskline/casting/ray_march.h>
@@ -28,33 +29,30 @@ namespace {
 
 class FastMarch {
 public:
-    FastMarch(const HeightField& field, const MinMaxPyramid& pyramid, const DirectionalLight& light)
-        : march_(field, light, pyramid.total()), pyramid_(pyramid)
-    {}
+    explicit FastMarch(const MinMaxPyramid& pyramid) : pyramid_(pyramid) {}
 
-    const RayMarch& march() const { return march_; }
-
-    // As RayMarch::shadow_height_m. What is above `enough_m` may differ, as another crossing comes first.
-    double shadow_height_m(const RayStart& start, double at_least_m, double enough_m) const
+    // As the plain march. What is above `enough_m` may differ, as another crossing comes first.
+    template <typename Ray>
+    double shadow_height_m(const Ray& ray, double at_least_m, double enough_m) const
     {
-        const double highest_m = pyramid_.total().highest_m;
+        const GridLineSurface& surface = ray.surface();
         double shadow_m = at_least_m;
-        std::int64_t line = std::max<std::int64_t>(start.line, -1);
-        std::int64_t cell = std::max<std::int64_t>(start.cell, -1);
+        std::int64_t line = ray.first_line();
+        std::int64_t cell = ray.first_cell();
         std::size_t level = 0;
-        while (line < march_.last_line()) {
-            const double distance = march_.distance_to(start, line);
-            if (shadow_m > enough_m || cell > march_.last_cell()
-                || march_.bound_m(highest_m, distance) <= shadow_m)
+        while (line < ray.last_line()) {
+            if (shadow_m > enough_m || cell > surface.last_cell()
+                || ray.bound_m(ray.highest_m(), line, ray.last_line()) <= shadow_m)
                 return shadow_m;
             if (level == 0) {
-                march_.cross(start, ++line, cell, shadow_m);
+                cross(ray, ++line, cell, shadow_m);
                 level = 1;
                 continue;
             }
-            const std::int64_t end = block_end(level, line);
-            const std::int64_t reached = march_.cell_after(start, march_.distance_to(start, end));
-            if (march_.bound_m(highest_ahead_m(level, line, cell, reached), distance) <= shadow_m) {
+            const std::int64_t end = std::min(block_end(surface, level, line), ray.last_line());
+            const std::int64_t reached = ray.cell_at(end);
+            const double highest_m = highest_ahead_m(surface, level, line, cell, reached);
+            if (ray.bound_m(highest_m, line, end) <= shadow_m) {
                 line = end;
                 cell = std::max(cell, reached);
                 level = std::min(level + 1, pyramid_.levels());
@@ -62,48 +60,50 @@ public:
                 --level;
             }
         }
-        return march_.last_raised(start, cell, shadow_m);
+        return last_raised(ray, cell, shadow_m);
     }
 
 private:
     // The line at the far side of the block that lies ahead of `line`.
-    std::int64_t block_end(std::size_t level, std::int64_t line) const
+    static std::int64_t block_end(const GridLineSurface& surface, std::size_t level, std::int64_t line)
     {
-        const std::int64_t last = march_.last_line();
-        if (march_.lines_turned())
+        const std::int64_t last = surface.last_line();
+        if (surface.counting().lines_turned)
             return last - (((last - 1 - line) >> level) << level);
         return std::min(((line >> level) + 1) << level, last);
     }
 
     // The highest ground in the blocks ahead of `line` that hold the cells from `first` to `last` and the
     // squares after them.
-    double highest_ahead_m(std::size_t level, std::int64_t line, std::int64_t first, std::int64_t last) const
+    double highest_ahead_m(const GridLineSurface& surface, std::size_t level, std::int64_t line,
+                           std::int64_t first, std::int64_t last) const
     {
+        const Counting& counting = surface.counting();
         const auto block_of = [level](std::int64_t square, std::int64_t last_sample, bool turned) {
             const std::int64_t last_square = std::max<std::int64_t>(last_sample - 1, 0);
             const std::int64_t inside = std::clamp<std::int64_t>(square, 0, last_square);
             return (turned ? last_square - inside : inside) >> level;
         };
-        const std::int64_t line_block = block_of(line, march_.last_line(), march_.lines_turned());
-        std::int64_t block = block_of(first, march_.last_cell(), march_.cells_turned());
-        std::int64_t last_block = block_of(last, march_.last_cell(), march_.cells_turned());
+        const std::int64_t line_block = block_of(line, surface.last_line(), counting.lines_turned);
+        std::int64_t block = block_of(first, surface.last_cell(), counting.cells_turned);
+        std::int64_t last_block = block_of(last, surface.last_cell(), counting.cells_turned);
         if (block > last_block)
             std::swap(block, last_block);
         float highest_m = -std::numeric_limits<float>::infinity();
         for (; block <= last_block; ++block)
-            highest_m = std::max(highest_m, range_m(level, line_block, block).highest_m);
+            highest_m = std::max(highest_m, range_m(counting, level, line_block, block).highest_m);
         return highest_m;
     }
 
-    HeightRange range_m(std::size_t level, std::int64_t line_block, std::int64_t cell_block) const
+    HeightRange range_m(const Counting& counting, std::size_t level, std::int64_t line_block,
+                        std::int64_t cell_block) const
     {
         const auto line = static_cast<std::size_t>(line_block);
         const auto cell = static_cast<std::size_t>(cell_block);
-        return march_.lines_are_rows() ? pyramid_.range(level, line, cell)
+        return counting.lines_are_rows ? pyramid_.range(level, line, cell)
                                        : pyramid_.range(level, cell, line);
     }
 
-    RayMarch march_;
     const MinMaxPyramid& pyramid_;
 };
 
@@ -115,6 +115,12 @@ void require_place(const char* what, double coordinate)
         throw InvalidInput(std::string(what)
                            + " must be a finite number of cells, at most 2^52 from the grid, got "
                            + std::to_string(coordinate));
+}
+
+void require_height(const GridPoint& point)
+{
+    if (std::isnan(point.height_m))
+        throw InvalidInput("the height of a point must be a number, got NaN");
 }
 
 } // namespace
@@ -135,15 +141,15 @@ double TerrainRays::shadow_height_m(double row, double column, const Directional
     if (field_.heights_m.empty())
         return kNothing;
 
-    const FastMarch fast(field_, pyramid_, light);
-    const auto entry = fast.march().entry(fast.march().start_at(row, column));
-    return fast.shadow_height_m(entry.start, kNothing, kNeverEnough) - entry.drop_m;
+    const RayMarch march(field_, light, pyramid_.total());
+    const auto entry = march.entry(march.surface().start_at(row, column));
+    return FastMarch(pyramid_).shadow_height_m(ParallelRay(march, entry.start), kNothing, kNeverEnough)
+           - entry.drop_m;
 }
 
 bool TerrainRays::is_shadowed(const GridPoint& point, const DirectionalLight& light) const
 {
-    if (std::isnan(point.height_m))
-        throw InvalidInput("the height of a point must be a number, got NaN");
+    require_height(point);
     return point.height_m < shadow_height_m(point.row, point.column, light);
 }
 
@@ -152,9 +158,11 @@ ShadowMask TerrainRays::cast(const DirectionalLight& light, const Execution& exe
     require_valid(light);
     if (const auto answer = uniform_answer(light))
         return uniform_mask(field_, *answer);
-    const FastMarch fast(field_, pyramid_, light);
+    const RayMarch march(field_, light, pyramid_.total());
+    const FastMarch fast(pyramid_);
     return mask_by_rays(field_, execution, [&](std::size_t row, std::size_t column, double ground_m) {
-        return fast.shadow_height_m(fast.march().start_at(row, column), ground_m, ground_m);
+        return fast.shadow_height_m(ParallelRay(march, march.surface().start_at(row, column)), ground_m,
+                                    ground_m);
     });
 }
 
@@ -163,9 +171,54 @@ ShadowField TerrainRays::shadow_heights(const DirectionalLight& light, const Exe
     require_valid(light);
     if (const auto answer = uniform_answer(light))
         return uniform_shadow_heights(field_, *answer);
-    const FastMarch fast(field_, pyramid_, light);
+    const RayMarch march(field_, light, pyramid_.total());
+    const FastMarch fast(pyramid_);
     return shadow_heights_by_rays(field_, execution, [&](std::size_t row, std::size_t column) {
-        return fast.shadow_height_m(fast.march().start_at(row, column), kNothing, kNeverEnough);
+        return fast.shadow_height_m(ParallelRay(march, march.surface().start_at(row, column)), kNothing,
+                                    kNeverEnough);
+    });
+}
+
+double TerrainRays::shadow_height_m(double row, double column, const PointLight& light) const
+{
+    require_place("row", row);
+    require_place("column", column);
+    require_valid(light);
+    if (field_.heights_m.empty())
+        return kNothing;
+    if (uniform_answer(field_, light))
+        return -kNothing;
+    const LampMarch march(field_, light, pyramid_.total());
+    return FastMarch(pyramid_).shadow_height_m(march.ray_from(row, column), kNothing, kNeverEnough);
+}
+
+bool TerrainRays::is_shadowed(const GridPoint& point, const PointLight& light) const
+{
+    require_height(point);
+    return point.height_m < shadow_height_m(point.row, point.column, light);
+}
+
+ShadowMask TerrainRays::cast(const PointLight& light, const Execution& execution) const
+{
+    require_valid(light);
+    if (const auto answer = uniform_answer(field_, light))
+        return uniform_mask(field_, *answer);
+    const LampMarch march(field_, light, pyramid_.total());
+    const FastMarch fast(pyramid_);
+    return mask_by_rays(field_, execution, [&](std::size_t row, std::size_t column, double ground_m) {
+        return fast.shadow_height_m(march.ray_from(row, column), ground_m, ground_m);
+    });
+}
+
+ShadowField TerrainRays::shadow_heights(const PointLight& light, const Execution& execution) const
+{
+    require_valid(light);
+    if (const auto answer = uniform_answer(field_, light))
+        return uniform_shadow_heights(field_, *answer);
+    const LampMarch march(field_, light, pyramid_.total());
+    const FastMarch fast(pyramid_);
+    return shadow_heights_by_rays(field_, execution, [&](std::size_t row, std::size_t column) {
+        return fast.shadow_height_m(march.ray_from(row, column), kNothing, kNeverEnough);
     });
 }
 
@@ -176,6 +229,17 @@ ShadowMask cast_by_fast_ray(const HeightField& field, const DirectionalLight& li
 }
 
 ShadowField shadow_heights_by_fast_ray(const HeightField& field, const DirectionalLight& light,
+                                       const Execution& execution)
+{
+    return TerrainRays(field, {.threads = execution.threads}).shadow_heights(light, execution);
+}
+
+ShadowMask cast_by_fast_ray(const HeightField& field, const PointLight& light, const Execution& execution)
+{
+    return TerrainRays(field, {.threads = execution.threads}).cast(light, execution);
+}
+
+ShadowField shadow_heights_by_fast_ray(const HeightField& field, const PointLight& light,
                                        const Execution& execution)
 {
     return TerrainRays(field, {.threads = execution.threads}).shadow_heights(light, execution);
