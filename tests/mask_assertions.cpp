@@ -46,8 +46,7 @@ bool near_edge(const ShadowMask& mask, std::size_t row, std::size_t column, std:
 Grid<char> ties(const HeightField& field, const DirectionalLight& light)
 {
     const ShadowField shadows = shadow_heights_by_fast_ray(field, light);
-    const HeightRange range = height_range(field);
-    const float rounding_m = 7e-6f * std::max(std::abs(range.lowest_m), std::abs(range.highest_m));
+    const double rounding_m = float_rounding_m(field);
     Grid<char> result(field.rows(), field.columns());
     for (std::size_t row = 0; row < field.rows(); ++row)
         for (std::size_t column = 0; column < field.columns(); ++column)
@@ -102,6 +101,12 @@ testing::AssertionResult none_wrong(const ShadowMask& actual, const ShadowMask& 
 
 } // namespace
 
+double float_rounding_m(const HeightField& field)
+{
+    const HeightRange range = height_range(field);
+    return 7e-6 * std::max(std::abs(range.lowest_m), std::abs(range.highest_m));
+}
+
 Grid<char> excuses(const Caster& caster, const HeightField& field, const DirectionalLight& light)
 {
     if (is_truth(caster) || field.heights_m.empty())
@@ -144,17 +149,6 @@ testing::AssertionResult same_bits(const Grid<float>& actual, const Grid<float>&
                                                    << ", not " << b << ", " << a - b << " apart";
         }
     return testing::AssertionSuccess();
-}
-
-std::size_t differences_away_from_edges(const ShadowMask& actual, const ShadowMask& expected,
-                                        std::size_t distance)
-{
-    std::size_t count = 0;
-    for (std::size_t row = 0; row < actual.rows(); ++row)
-        for (std::size_t column = 0; column < actual.columns(); ++column)
-            if (actual(row, column) != expected(row, column) && !near_edge(expected, row, column, distance))
-                ++count;
-    return count;
 }
 
 } // namespace duskline

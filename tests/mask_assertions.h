@@ -19,11 +19,14 @@ std::string test_name(const testing::TestParamInfo<Caster>& info);
 /// Whether a caster is the truth itself, and owes every cell.
 bool is_truth(const Caster& caster);
 
+/// How far ground and ray may be apart, metres, for their order to be a matter of float rounding: 7 millionths
+/// of the highest ground, 2 cm on a 4000 m mountain (docs/accuracy.md).
+double float_rounding_m(const HeightField& field);
+
 /// 1 for each cell in which `caster` may be wrong on this terrain and light, else 0:
 ///
 ///   the truth      none
-///   an exact one   cells whose ground is within float rounding of the shadow's height, 7 millionths of the
-///                  highest ground: 2 cm on a 4000 m mountain
+///   an exact one   cells whose ground is within float rounding of the shadow's height
 ///   another        cells next to a shadow edge, or no further from one in height than the shadow's height
 ///                  changes within a cell. Such casters move edges: they interpolate what lies between
 ///                  samples. By a whole cell, and no more where shadows are wider than a cell.
@@ -40,10 +43,5 @@ testing::AssertionResult no_new_shadow(const ShadowMask& before, const ShadowMas
 
 /// Whether two grids of numbers have the same bits, any NaN being like any other.
 testing::AssertionResult same_bits(const Grid<float>& actual, const Grid<float>& expected);
-
-/// Cells that differ although no cell within `distance` of theirs, diagonally too, differs from them in
-/// `expected`.
-std::size_t differences_away_from_edges(const ShadowMask& actual, const ShadowMask& expected,
-                                        std::size_t distance);
 
 } // namespace duskline

@@ -9,8 +9,9 @@ if(DUSKLINE_BUILD_APPS)
 endif()
 add_test(NAME docs COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_docs.py ${docs_command})
 add_test(NAME docs_self_test COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_docs_test.py)
+add_test(NAME bench_table COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/bench_table_test.py)
 add_test(NAME compare_masks COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/compare_masks_test.py)
-set_tests_properties(layers layers_self_test docs docs_self_test compare_masks PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+set_tests_properties(layers layers_self_test docs docs_self_test bench_table compare_masks PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
 # 77 says that clang-format is not here. clang-tidy takes a minute and more: .ci/run calls it.
 add_test(NAME format COMMAND ${PROJECT_SOURCE_DIR}/tools/check_format.sh)

@@ -155,6 +155,25 @@ PointLight random_lamp(Dice& dice, const HeightField& field)
     return lamp;
 }
 
+DirectionalLight random_sun(Dice& dice, CellSize cell_size_m)
+{
+    double azimuth = dice.between(0.0, 360.0);
+    if (dice.chance(1.0 / 3.0)) {
+        const double across_cells = Angle::from_radians(std::atan2(cell_size_m.x, cell_size_m.y)).degrees();
+        const double quarter = 90.0 * static_cast<double>(dice.below(4));
+        const std::array directions{quarter,
+                                    quarter + 45.0,
+                                    across_cells,
+                                    180.0 - across_cells,
+                                    180.0 + across_cells,
+                                    360.0 - across_cells};
+        constexpr std::array beside{0.0, 0.0, 0.0, 1e-9, -1e-9, 1e-4, -1e-4};
+        azimuth = directions[dice.below(directions.size())] + beside[dice.below(beside.size())];
+    }
+    const double altitude = std::exp(dice.between(std::log(0.5), std::log(85.0)));
+    return {.azimuth = Angle::from_degrees(azimuth), .altitude = Angle::from_degrees(altitude)};
+}
+
 void for_seeds(std::uint64_t count, const std::function<void(Dice& dice)>& check)
 {
     for (std::uint64_t seed = 1; seed <= count; ++seed) {

@@ -49,6 +49,11 @@ DirectionalLight random_light(Dice& dice);
 /// between the heights of the terrain, on the ground and now and then under it.
 PointLight random_lamp(Dice& dice, const HeightField& field);
 
+/// Where the sun may stand: altitudes of 0.5 to 85 degrees, low ones as often as high ones are by their
+/// logarithms; any azimuth, but one in three along an axis or a diagonal, of the ground or of the cells, or
+/// next to it.
+DirectionalLight random_sun(Dice& dice, CellSize cell_size_m);
+
 /// Calls `check(dice)` with `count` different seeds, and names the seed when it fails.
 void for_seeds(std::uint64_t count, const std::function<void(Dice& dice)>& check);
 

@@ -1,8 +1,10 @@
 // Every caster on real mountains, against the truth. docs/accuracy.md has the numbers these bounds hold.
 
 #include "mask_assertions.h"
+#include "terrains.h"
 
 #include <duskline/casting/casters.h>
+#include <duskline/products/mask_difference.h>
 #include <duskline/raster_io/read_height_field.h>
 
 #include <gtest/gtest.h>
@@ -13,6 +15,7 @@
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace duskline {
 namespace {
@@ -84,14 +87,6 @@ Grid<char> excuses_and_holes(const Caster& caster, const HeightField& field, con
     return excused;
 }
 
-std::size_t count_different(const ShadowMask& a, const ShadowMask& b)
-{
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        count += a.values()[i] != b.values()[i];
-    return count;
-}
-
 class OnRealTerrain : public testing::TestWithParam<std::tuple<RealTerrain, RealLight>> {};
 
 std::string scene_name(const testing::TestParamInfo<OnRealTerrain::ParamType>& info)
@@ -126,10 +121,43 @@ TEST_P(OnRealTerrain, EveryCasterIsAsRightAsItPromises)
         EXPECT_TRUE(same_mask(mask, truth, excuses_and_holes(caster, terrain, light)));
         if (caster.exact)
             continue;
-        const auto wrong = static_cast<double>(count_different(mask, truth));
+        const MaskDifference difference = mask_difference(truth, mask);
+        const auto wrong = static_cast<double>(difference.differing);
         EXPECT_LE(wrong / cells, most_wrong(place, from));
         // The others are beside a shadow narrower than a cell, which no cell of the truth shows.
-        EXPECT_LE(static_cast<double>(differences_away_from_edges(mask, truth, 1)), wrong / 8.0);
+        EXPECT_LE(static_cast<double>(difference.differing - difference.beside_edge), wrong / 8.0);
+    }
+}
+
+// `check_exact` does the same with all cells and hundreds of suns (CONTRIBUTING.md).
+TEST(RealTerrain, ExactCastersAreTheRayFromAnyPartUnderRandomSuns)
+{
+    constexpr std::array more = {RealTerrain{"Lakes", kSharedData, "lakes/lakes_dem.tif"},
+                                 RealTerrain{"Tile", kSharedData, "hawaii/srtm3_dt1/n19_w156_3arc_v2.dt1"},
+                                 RealTerrain{"Holes", kSharedData, "awkward/sea_nan_f32.tif"}};
+    std::vector<RealTerrain> places(kTerrains.begin(), kTerrains.end());
+    places.insert(places.end(), more.begin(), more.end());
+    Dice dice(3);
+    for (const RealTerrain& place : places) {
+        if (!std::filesystem::exists(path_of(place)))
+            continue;
+        const Terrain terrain = read(place);
+        const HeightField whole = terrain;
+        const std::size_t rows = std::min<std::size_t>(whole.rows(), 250);
+        const std::size_t columns = std::min<std::size_t>(whole.columns(), 250);
+        for (int i = 0; i < 6; ++i) {
+            const HeightField part = whole.window(dice.below(whole.rows() - rows + 1),
+                                                  dice.below(whole.columns() - columns + 1), rows, columns);
+            const DirectionalLight light = random_sun(dice, part.cell_size_m);
+            const ShadowMask truth = cast_by_fast_ray(part, light);
+            for (const Caster& caster : kCasters) {
+                if (!caster.exact || is_truth(caster))
+                    continue;
+                EXPECT_TRUE(same_mask(caster.cast(part, light, {}), truth, excuses(caster, part, light)))
+                    << caster.name << " on " << place.name << ", sun " << i << ", azimuth "
+                    << light.azimuth.degrees() << ", altitude " << light.altitude.degrees();
+            }
+        }
     }
 }
 
