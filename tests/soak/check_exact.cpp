@@ -1,11 +1,12 @@
 // Whether the casters that call themselves exact are, on real terrain under many suns.
 //
-// usage: check_exact [--suns N] [--seed N] [--side CELLS] [--cell-size METRES] [-j N] PATH...
+// usage: check_exact [--suns N] [--seed N] [--side CELLS] [--cell-size METRES] [--ties] [-j N] PATH...
 //
 //   --suns N            random suns for each elevation model (terrains.h, random_sun); else 200
 //   --seed N            of their random numbers; else 1
 //   --side CELLS        looks at a square of so many cells in the middle of larger ones; else at all
 //   --cell-size METRES  of all cells; else as the file says, and files that cannot say one are skipped
+//   --ties              lists the cells that differ by float rounding too
 //   -j N                threads; else all
 //   PATH                an elevation model, or a folder: everything below it that is one
 //
@@ -41,6 +42,7 @@ struct Options {
     std::size_t side = 0;
     std::size_t cell_size_m = 0;
     std::size_t threads = 0;
+    bool ties = false;
     std::vector<fs::path> paths;
 };
 
@@ -66,6 +68,8 @@ Options parsed(const std::vector<std::string_view>& words)
                                                                 : nullptr;
         if (number != nullptr && i + 1 < words.size())
             *number = as_number(words[i], words[i + 1]), ++i;
+        else if (words[i] == "--ties")
+            options.ties = true;
         else if (!words[i].starts_with('-'))
             options.paths.emplace_back(words[i]);
         else
@@ -144,19 +148,19 @@ struct Scene {
     double rounding_m;
 };
 
-void print_wrong(const HeightField& field, const DirectionalLight& light, std::size_t row, std::size_t column,
-                 double shadow_m, Lit answer)
+void print_cell(const char* what, const HeightField& field, const DirectionalLight& light, std::size_t row,
+                std::size_t column, double shadow_m, Lit answer)
 {
     std::printf(
-        "  wrong: row %zu, column %zu, azimuth %.17g, altitude %.17g: ground %.9g m, shadow %.17g m, called "
+        "  %s: row %zu, column %zu, azimuth %.17g, altitude %.17g: ground %.9g m, shadow %.17g m, called "
         "%s\n",
-        row, column, light.azimuth.degrees(), light.altitude.degrees(),
+        what, row, column, light.azimuth.degrees(), light.altitude.degrees(),
         static_cast<double>(field.heights_m(row, column)), shadow_m,
         answer == Lit::yes ? "lit" : "in shadow");
 }
 
 void compare(const Scene& scene, const DirectionalLight& light, const ShadowMask& truth,
-             const ShadowMask& mask, Tally& tally)
+             const ShadowMask& mask, bool list_ties, Tally& tally)
 {
     for (std::size_t row = 0; row < truth.rows(); ++row)
         for (std::size_t column = 0; column < truth.columns(); ++column) {
@@ -169,10 +173,12 @@ void compare(const Scene& scene, const DirectionalLight& light, const ShadowMask
                 std::abs(static_cast<double>(scene.field.heights_m(row, column)) - shadow_m);
             if (apart_m <= scene.rounding_m) {
                 ++tally.ties;
+                if (list_ties)
+                    print_cell("rounding", scene.field, light, row, column, shadow_m, mask(row, column));
                 tally.widest_tie_share = std::max(tally.widest_tie_share, apart_m / scene.rounding_m);
             } else {
                 ++tally.wrong;
-                print_wrong(scene.field, light, row, column, shadow_m, mask(row, column));
+                print_cell("wrong", scene.field, light, row, column, shadow_m, mask(row, column));
             }
         }
     tally.cells += truth.size();
@@ -203,17 +209,17 @@ std::vector<const Caster*> exact_casters()
 }
 
 void cast_and_compare(const Scene& scene, const DirectionalLight& light, const ShadowMask& truth,
-                      const Caster& caster, const Execution& execution, Tally& tally)
+                      const Caster& caster, const Options& options, Tally& tally)
 {
     const auto start = std::chrono::steady_clock::now();
-    const ShadowMask mask = caster.cast(scene.field, light, execution);
+    const ShadowMask mask = caster.cast(scene.field, light, {.threads = options.threads});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     tally.seconds += seconds;
     if (seconds > tally.slowest_s) {
         tally.slowest_s = seconds;
         tally.slowest = light;
     }
-    compare(scene, light, truth, mask, tally);
+    compare(scene, light, truth, mask, options.ties, tally);
 }
 
 // Returns the number of cells that are really wrong.
@@ -224,13 +230,12 @@ std::size_t check(const Ground& ground, const Options& options)
     const std::vector<const Caster*> casters = exact_casters();
     std::vector<Tally> tallies(casters.size());
     Dice dice(options.seed);
-    const Execution execution{.threads = options.threads};
     for (std::size_t sun = 0; sun < options.suns; ++sun) {
         const Scene& scene = sun % 2 == 1 ? round : flat;
         const DirectionalLight light = random_sun(dice, scene.field.cell_size_m);
-        const ShadowMask truth = scene.rays.cast(light, execution);
+        const ShadowMask truth = scene.rays.cast(light, {.threads = options.threads});
         for (std::size_t i = 0; i < casters.size(); ++i)
-            cast_and_compare(scene, light, truth, *casters[i], execution, tallies[i]);
+            cast_and_compare(scene, light, truth, *casters[i], options, tallies[i]);
     }
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < casters.size(); ++i) {

@@ -47,14 +47,15 @@ HWY_INLINE hn::Mask<D> may_rise_between(D d, const BracketLine& line, std::size_
                                         hn::Vec<D> ahead)
 {
     const auto slope = hn::Set(d, line.slope);
-    const auto drop = hn::Set(d, line.drop_m - line.slack_m);
+    const auto drop = hn::Set(d, line.drop_m);
+    const auto slack = hn::Set(d, line.slack_m);
     const auto before = hn::LoadU(d, line.cell_before + i);
     const auto behind_before = hn::LoadU(d, line.behind_before + i);
     const auto this_line = hn::Add(ground, hn::Mul(hn::Sub(ahead, ground), slope));
     const auto line_before = hn::Add(before, hn::Mul(hn::Sub(behind_before, before), slope));
     // A NaN beside them leaves the column line alone: not under, as far as is known.
-    const auto under_this = hn::Le(hn::Sub(before, drop), this_line);
-    const auto under_before = hn::Le(hn::Add(ground, drop), line_before);
+    const auto under_this = hn::Le(hn::Add(hn::Sub(before, drop), slack), this_line);
+    const auto under_before = hn::Le(hn::Add(hn::Add(ground, drop), slack), line_before);
     const auto there = hn::And(hn::Eq(before, before), hn::Eq(ground, ground));
     return hn::AndNot(hn::Or(under_this, under_before), there);
 }
