@@ -18,6 +18,7 @@
 
 #include <duskline/casting/lamp_march.h>
 #include <duskline/casting/ray.h>
+#include <duskline/casting/ray_blocks.h>
 #include <duskline/casting/ray_cells.h>
 #include <duskline/casting/ray_march.h>
 
@@ -51,8 +52,7 @@ public:
             }
             const std::int64_t end = std::min(block_end(surface, level, line), ray.last_line());
             const std::int64_t reached = ray.cell_at(end);
-            const double highest_m = highest_ahead_m(surface, level, line, cell, reached);
-            if (ray.bound_m(highest_m, line, end) <= shadow_m) {
+            if (ray.bound_m(highest_m(surface, level, line, cell, reached), line, end) <= shadow_m) {
                 line = end;
                 cell = std::max(cell, reached);
                 level = std::min(level + 1, pyramid_.levels());
@@ -64,44 +64,14 @@ public:
     }
 
 private:
-    // The line at the far side of the block that lies ahead of `line`.
-    static std::int64_t block_end(const GridLineSurface& surface, std::size_t level, std::int64_t line)
+    // Of the blocks ahead of `line` that hold the cells from `first` to `last`.
+    double highest_m(const GridLineSurface& surface, std::size_t level, std::int64_t line, std::int64_t first,
+                     std::int64_t last) const
     {
-        const std::int64_t last = surface.last_line();
-        if (surface.counting().lines_turned)
-            return last - (((last - 1 - line) >> level) << level);
-        return std::min(((line >> level) + 1) << level, last);
-    }
-
-    // The highest ground in the blocks ahead of `line` that hold the cells from `first` to `last` and the
-    // squares after them.
-    double highest_ahead_m(const GridLineSurface& surface, std::size_t level, std::int64_t line,
-                           std::int64_t first, std::int64_t last) const
-    {
-        const Counting& counting = surface.counting();
-        const auto block_of = [level](std::int64_t square, std::int64_t last_sample, bool turned) {
-            const std::int64_t last_square = std::max<std::int64_t>(last_sample - 1, 0);
-            const std::int64_t inside = std::clamp<std::int64_t>(square, 0, last_square);
-            return (turned ? last_square - inside : inside) >> level;
-        };
-        const std::int64_t line_block = block_of(line, surface.last_line(), counting.lines_turned);
-        std::int64_t block = block_of(first, surface.last_cell(), counting.cells_turned);
-        std::int64_t last_block = block_of(last, surface.last_cell(), counting.cells_turned);
-        if (block > last_block)
-            std::swap(block, last_block);
-        float highest_m = -std::numeric_limits<float>::infinity();
-        for (; block <= last_block; ++block)
-            highest_m = std::max(highest_m, range_m(counting, level, line_block, block).highest_m);
-        return highest_m;
-    }
-
-    HeightRange range_m(const Counting& counting, std::size_t level, std::int64_t line_block,
-                        std::int64_t cell_block) const
-    {
-        const auto line = static_cast<std::size_t>(line_block);
-        const auto cell = static_cast<std::size_t>(cell_block);
-        return counting.lines_are_rows ? pyramid_.range(level, line, cell)
-                                       : pyramid_.range(level, cell, line);
+        return highest_ahead_m(surface, level, line, first, last,
+                               [this](std::size_t at, std::size_t block_row, std::size_t block_column) {
+                                   return pyramid_.range(at, block_row, block_column).highest_m;
+                               });
     }
 
     const MinMaxPyramid& pyramid_;
