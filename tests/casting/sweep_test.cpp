@@ -163,21 +163,25 @@ TEST(Kernels, TransposeAnyRectangle)
                 value = static_cast<float>(random() % 10'000);
             for (std::uint8_t& value : bytes.values())
                 value = static_cast<std::uint8_t>(random());
-            Grid<float> turned_floats(columns, rows + 5, -1.0f);
-            Grid<std::uint8_t> turned_bytes(columns, rows + 5, 7);
             const auto from_stride = static_cast<std::ptrdiff_t>(columns + 3);
             const auto to_stride = static_cast<std::ptrdiff_t>(rows + 5);
-            level.transpose_floats(floats.data(), from_stride, rows, columns, turned_floats.data(),
-                                   to_stride);
-            level.transpose_bytes(bytes.data(), from_stride, rows, columns, turned_bytes.data(), to_stride);
-            for (std::size_t x = 0; x < columns; ++x) {
-                for (std::size_t y = 0; y < rows; ++y) {
-                    ASSERT_EQ(turned_floats(x, y), floats(y, x));
-                    ASSERT_EQ(turned_bytes(x, y), bytes(y, x));
-                }
-                for (std::size_t y = rows; y < rows + 5; ++y) { // the rest is left alone
-                    ASSERT_EQ(turned_floats(x, y), -1.0f);
-                    ASSERT_EQ(turned_bytes(x, y), 7);
+            for (const kernels::RowsFirst rows_first :
+                 {kernels::RowsFirst::read, kernels::RowsFirst::written}) {
+                Grid<float> turned_floats(columns, rows + 5, -1.0f);
+                Grid<std::uint8_t> turned_bytes(columns, rows + 5, 7);
+                level.transpose_floats(floats.data(), from_stride, rows, columns, turned_floats.data(),
+                                       to_stride, rows_first);
+                level.transpose_bytes(bytes.data(), from_stride, rows, columns, turned_bytes.data(),
+                                      to_stride, rows_first);
+                for (std::size_t x = 0; x < columns; ++x) {
+                    for (std::size_t y = 0; y < rows; ++y) {
+                        ASSERT_EQ(turned_floats(x, y), floats(y, x));
+                        ASSERT_EQ(turned_bytes(x, y), bytes(y, x));
+                    }
+                    for (std::size_t y = rows; y < rows + 5; ++y) { // the rest is left alone
+                        ASSERT_EQ(turned_floats(x, y), -1.0f);
+                        ASSERT_EQ(turned_bytes(x, y), 7);
+                    }
                 }
             }
         }

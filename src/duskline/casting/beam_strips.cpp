@@ -10,9 +10,24 @@ std::vector<kernels::BeamShift> beam_shifts(double lateral, std::size_t first_li
     return shifts;
 }
 
-std::vector<std::ptrdiff_t> strips_of_equal_work(const kernels::StripLines& lines, std::size_t strips,
-                                                 std::size_t widest)
+namespace {
+
+// Strips of about the same width.
+Band cut_into_strips(std::ptrdiff_t first_beam, std::ptrdiff_t last_beam, std::size_t widest)
 {
+    const auto beams = static_cast<std::size_t>(last_beam - first_beam);
+    const std::size_t strips = (beams + widest - 1) / widest;
+    Band band;
+    for (std::size_t k = 0; k <= strips; ++k)
+        band.push_back(first_beam + static_cast<std::ptrdiff_t>(beams * k / strips));
+    return band;
+}
+
+} // namespace
+
+std::vector<Band> bands_of_equal_work(const kernels::StripLines& lines, std::size_t bands, bool along_rows)
+{
+    const std::size_t widest = along_rows ? kMostBeamsAlongRows : kMostBeamsInBand;
     // How many lines lie before the beams have moved by `whole` cells.
     const std::ptrdiff_t least = lines.shifts[0].whole;
     const std::ptrdiff_t most = lines.shifts[lines.lines - 1].whole;
@@ -32,19 +47,23 @@ std::vector<std::ptrdiff_t> strips_of_equal_work(const kernels::StripLines& line
     std::size_t total = 0;
     for (std::ptrdiff_t beam = lines.first_beam; beam < lines.last_beam; ++beam)
         total += work(beam);
-    const std::size_t share = total / strips + 1;
-    std::vector<std::ptrdiff_t> bounds{lines.first_beam};
+    const std::size_t share = total / bands + 1;
+    std::vector<Band> cut;
+    std::ptrdiff_t first = lines.first_beam;
     std::size_t done = 0;
+    const auto end_band = [&](std::ptrdiff_t last) {
+        cut.push_back(cut_into_strips(first, last, along_rows ? widest : kMostBeamsInStrip));
+        first = last;
+        done = 0;
+    };
     for (std::ptrdiff_t beam = lines.first_beam; beam < lines.last_beam; ++beam) {
-        const auto width = static_cast<std::size_t>(beam - bounds.back());
-        if (width > 0 && (done >= share || width == widest)) {
-            bounds.push_back(beam);
-            done = 0;
-        }
+        const auto width = static_cast<std::size_t>(beam - first);
+        if (width > 0 && (done >= share || width == widest))
+            end_band(beam);
         done += work(beam);
     }
-    bounds.push_back(lines.last_beam);
-    return bounds;
+    end_band(lines.last_beam);
+    return cut;
 }
 
 } // namespace duskline

@@ -1,7 +1,8 @@
 #pragma once
 
-// How a caster that carries something along beams of light goes through a grid: strip by strip of neighbouring
-// beams, and where lines are columns of the grid, block by block turned into rows in cache. Not installed.
+// How a caster that carries something along beams of light goes through a grid: in bands of neighbouring beams, one
+// to a thread, cut into strips; and where lines are columns of the grid, block by block turned into rows in cache.
+// Not installed.
 
 #include <duskline/casting/kernels/kernels.h>
 #include <duskline/casting/light_frame.h>
@@ -15,23 +16,26 @@
 
 namespace duskline {
 
-/// Beams in a strip at most: few enough that the columns of a strip stay in the translation look-aside buffer
-/// and its turned block in the second-level cache. Rows stream by themselves.
+/// Beams that a thread carries on at a time, at most. Rows stream by themselves. Columns are turned into rows: a
+/// band of beams as wide as its answers stay in the second-level cache, cut into strips whose turned heights do.
 inline constexpr std::size_t kMostBeamsAlongRows = 8192;
-inline constexpr std::size_t kMostBeamsAlongColumns = 512;
+inline constexpr std::size_t kMostBeamsInBand = 2048;
+inline constexpr std::size_t kMostBeamsInStrip = 512;
 
-/// Strips for each of several threads. More would share the work out better among busy ones, but narrow strips of
+/// Bands for each of several threads. More would share the work out better among busy ones, but narrow bands of
 /// rows stream badly.
-inline constexpr std::size_t kStripsPerThread = 1;
+inline constexpr std::size_t kBandsPerThread = 1;
 
 /// Columns turned at a time.
-inline constexpr std::size_t kLinesPerBlock = 64;
+inline constexpr std::size_t kLinesPerBlock = 128;
 
-/// Cuts the beams into at least `strips` strips of at most `widest` beams with about as many cells each: beams
-/// that enter or leave the grid on the way meet fewer. Returns the first beam of each strip and the end of the
-/// last.
-std::vector<std::ptrdiff_t> strips_of_equal_work(const kernels::StripLines& lines, std::size_t strips,
-                                                 std::size_t widest);
+/// Neighbouring beams that one thread carries over all lines, cut into strips: the first beam of each strip, and
+/// the end of the last.
+using Band = std::vector<std::ptrdiff_t>;
+
+/// Cuts the beams into at least `bands` bands with about as many cells each, since beams that enter or leave the
+/// grid on the way meet fewer. `along_rows`: cells of a line lie side by side in memory, and a band is one strip.
+std::vector<Band> bands_of_equal_work(const kernels::StripLines& lines, std::size_t bands, bool along_rows);
 
 /// Where the beams of a light stand over each of some lines.
 std::vector<kernels::BeamShift> beam_shifts(double lateral, std::size_t first_line, std::size_t lines);
@@ -50,66 +54,126 @@ struct CellRange {
     std::size_t size() const { return static_cast<std::size_t>(last - first); }
 };
 
-/// One strip's way through a grid. `Carry` is called with some lines of the strip, cells side by side, and with
-/// where their answers go: `carry(const StripLines&, Answer* answers, std::ptrdiff_t answer_step)`, the answers
-/// laid out as the heights are. `kLinesBefore` lines before the first are there to be read as well, but before
-/// the very first of the grid.
+/// The way of a band through a grid, all strips of it over some lines before any goes on. `Carry` is called with a
+/// strip and some lines of it, cells side by side, and with where their answers go:
+/// `carry(std::size_t strip, const StripLines&, Answer* answers, std::ptrdiff_t answer_step)`, the answers laid out
+/// as the heights are. `kLinesBefore` lines before the first are there to be read as well, but before the very
+/// first of the grid.
 template <typename Answer, std::size_t kLinesBefore, typename Carry>
-class StripWalk {
+class BandWalk {
 public:
-    StripWalk(const kernels::Kernels& kernels, kernels::StripLines strip,
-              const LightOrder<const float>& heights, const LightOrder<Answer>& answers, Carry carry)
-        : kernels_(kernels), strip_(strip), heights_(heights), answers_(answers), carry_(std::move(carry))
+    BandWalk(const kernels::Kernels& kernels, const kernels::StripLines& lines, const Band& band,
+             const LightOrder<const float>& heights, const LightOrder<Answer>& answers, Carry carry)
+        : kernels_(kernels), lines_(lines), band_(band), heights_(heights), answers_(answers),
+          carry_(std::move(carry))
     {}
 
     void walk()
     {
         if (heights_.cell_step == 1) {
-            strip_.heights = heights_.first;
-            strip_.line_step = heights_.line_step;
-            strip_.first_cell = 0;
-            carry_(strip_, answers_.first, answers_.line_step);
+            for (std::size_t k = 0; k + 1 < band_.size(); ++k) {
+                kernels::StripLines strip = strip_lines(k);
+                strip.heights = heights_.first;
+                strip.line_step = heights_.line_step;
+                strip.first_cell = 0;
+                carry_(k, strip, answers_.first, answers_.line_step);
+            }
             return;
         }
-        const kernels::StripLines all = strip_;
+        const kernels::StripLines all = lines_;
         for (std::size_t done = 0; done < all.lines; done += kLinesPerBlock) {
-            strip_.first_line = all.first_line + done;
-            strip_.lines = std::min(kLinesPerBlock, all.lines - done);
-            strip_.shifts = all.shifts + done;
+            lines_.first_line = all.first_line + done;
+            lines_.lines = std::min(kLinesPerBlock, all.lines - done);
+            lines_.shifts = all.shifts + done;
             walk_block(done);
         }
     }
 
 private:
-    // The cells that are the strip's own on line i of the block.
-    CellRange own_cells(std::size_t i) const
+    kernels::StripLines strip_lines(std::size_t k) const
     {
-        const std::ptrdiff_t moved = strip_.sideways * strip_.shifts[i].whole;
-        const auto cells = static_cast<std::ptrdiff_t>(strip_.cells);
-        return {std::clamp<std::ptrdiff_t>(strip_.first_beam + moved, 0, cells),
-                std::clamp<std::ptrdiff_t>(strip_.last_beam + moved, 0, cells)};
+        kernels::StripLines strip = lines_;
+        strip.first_beam = band_[k];
+        strip.last_beam = band_[k + 1];
+        return strip;
+    }
+
+    // The cells on line i of the block whose beams are [first_beam, last_beam).
+    CellRange cells_of(std::ptrdiff_t first_beam, std::ptrdiff_t last_beam, std::size_t i) const
+    {
+        const std::ptrdiff_t moved = lines_.sideways * lines_.shifts[i].whole;
+        const auto cells = static_cast<std::ptrdiff_t>(lines_.cells);
+        return {std::clamp<std::ptrdiff_t>(first_beam + moved, 0, cells),
+                std::clamp<std::ptrdiff_t>(last_beam + moved, 0, cells)};
+    }
+
+    CellRange own_cells(std::size_t i) const { return cells_of(band_.front(), band_.back(), i); }
+
+    // The cells that beams meet anywhere in the block, and two more on either side.
+    CellRange cells_met(std::ptrdiff_t first_beam, std::ptrdiff_t last_beam) const
+    {
+        const CellRange at_start = cells_of(first_beam, last_beam, 0);
+        const CellRange at_end = cells_of(first_beam, last_beam, lines_.lines - 1);
+        return {
+            std::max<std::ptrdiff_t>(std::min(at_start.first, at_end.first) - 2, 0),
+            std::min(std::max(at_start.last, at_end.last) + 2, static_cast<std::ptrdiff_t>(lines_.cells))};
+    }
+
+    // Room for so many values and a little more, an odd number of cache lines: the beginnings of lines that follow
+    // each other fall into different sets of the cache.
+    template <typename T>
+    static std::ptrdiff_t padded(std::size_t values)
+    {
+        constexpr std::size_t in_a_cache_line = 64 / sizeof(T);
+        const std::size_t cache_lines = (values + in_a_cache_line - 1) / in_a_cache_line;
+        return static_cast<std::ptrdiff_t>((cache_lines | 1U) * in_a_cache_line);
+    }
+
+    template <typename T>
+    static void make_room(Grid<T>& lines, std::size_t count, std::ptrdiff_t width)
+    {
+        if (const std::size_t values = count * static_cast<std::size_t>(width); values > lines.size())
+            lines = Grid<T>(1, values);
     }
 
     // `kLinesPerBlock` columns of the grid: turned into lines, carried over, and the answers turned back.
     void walk_block(std::size_t done)
     {
-        const CellRange at_start = own_cells(0);
-        const CellRange at_end = own_cells(strip_.lines - 1);
-        const auto cells = static_cast<std::ptrdiff_t>(strip_.cells);
-        const CellRange needed{std::max<std::ptrdiff_t>(std::min(at_start.first, at_end.first) - 2, 0),
-                               std::min(std::max(at_start.last, at_end.last) + 2, cells)};
-
+        const CellRange met = cells_met(band_.front(), band_.back());
+        const std::ptrdiff_t answers_width = padded<Answer>(met.size());
+        make_room(turned_, kLinesPerBlock, answers_width);
         const std::size_t before = std::min(done, kLinesBefore);
-        const auto width = static_cast<std::ptrdiff_t>(needed.size());
-        lines_m_.resize(needed.size() * (kLinesPerBlock + kLinesBefore));
-        turned_.resize(needed.size() * kLinesPerBlock);
-        turn_heights(done - before, strip_.lines + before, needed, width);
+        const CellRange all = common_cells(0, lines_.lines);
+        std::ptrdiff_t turned = all.first;
+        for (std::size_t k = 0; k + 1 < band_.size(); ++k) {
+            const CellRange needed = cells_met(band_[k], band_[k + 1]);
+            const std::ptrdiff_t width = padded<float>(needed.size());
+            make_room(lines_m_, kLinesPerBlock + kLinesBefore, width);
+            turn_heights(done - before, lines_.lines + before, needed, width);
 
-        strip_.heights = lines_m_.data() + static_cast<std::ptrdiff_t>(before) * width;
-        strip_.line_step = width;
-        strip_.first_cell = static_cast<std::size_t>(needed.first);
-        carry_(strip_, turned_.data(), width);
-        turn_answers_back(done, needed, width);
+            kernels::StripLines strip = strip_lines(k);
+            strip.heights = lines_m_.data() + static_cast<std::ptrdiff_t>(before) * width;
+            strip.line_step = width;
+            strip.first_cell = static_cast<std::size_t>(needed.first);
+            carry_(k, strip, turned_.data() + (needed.first - met.first), answers_width);
+            // Answers that are complete go back while they are in the cache.
+            const std::ptrdiff_t answered = answered_until(k, turned, all);
+            turn_back(done, 0, lines_.lines, {turned, answered}, met, answers_width);
+            turned = answered;
+        }
+        turn_sides_back(done, all, met, answers_width);
+    }
+
+    // The end of the cells that are answered on all lines once strip k is carried over them: whole squares of a
+    // transpose, unless they are the last.
+    std::ptrdiff_t answered_until(std::size_t k, std::ptrdiff_t turned, CellRange all) const
+    {
+        if (k + 2 == band_.size())
+            return all.last;
+        constexpr std::ptrdiff_t square = 16;
+        const std::ptrdiff_t last = std::min(cells_of(band_[k], band_[k + 1], 0).last,
+                                             cells_of(band_[k], band_[k + 1], lines_.lines - 1).last);
+        return turned + std::max<std::ptrdiff_t>(std::min(last, all.last) - turned, 0) / square * square;
     }
 
     // From the lowest column on, whichever way the light goes.
@@ -122,20 +186,17 @@ private:
                                   + needed.first * heights_.cell_step;
         float* const to = lines_m_.data() + static_cast<std::ptrdiff_t>(lowest) * width;
         kernels_.transpose_floats(from, heights_.cell_step, needed.size(), lines, to,
-                                  eastwards ? width : -width);
+                                  eastwards ? width : -width, kernels::RowsFirst::read);
     }
 
-    // Only the strip's own cells may be written, a slanted band of the block: the rectangle that all its lines
-    // have in common as one, what is left at both sides in smaller rectangles, the rest line by line.
-    // The thinner the rectangles, the more of the band they hold, but the less of a cache line is written at
-    // a time.
-    void turn_answers_back(std::size_t done, CellRange needed, std::ptrdiff_t width)
+    // Beside the rectangle `all` that is the band's own on all lines: only its own cells may be written, slanted
+    // edges of the band, in smaller rectangles and the rest line by line. The thinner the rectangles, the more
+    // they hold, but the less of a cache line is written at a time.
+    void turn_sides_back(std::size_t done, CellRange all, CellRange needed, std::ptrdiff_t width)
     {
         constexpr std::size_t few = 16;
-        const CellRange all = common_cells(0, strip_.lines);
-        turn_back(done, 0, strip_.lines, all, needed, width);
-        for (std::size_t i = 0; i < strip_.lines; i += few) {
-            const std::size_t lines = std::min(few, strip_.lines - i);
+        for (std::size_t i = 0; i < lines_.lines; i += few) {
+            const std::size_t lines = std::min(few, lines_.lines - i);
             const CellRange some = common_cells(i, lines);
             turn_back(done, i, lines, {some.first, std::min(some.last, all.first)}, needed, width);
             turn_back(done, i, lines, {std::max(some.first, all.last), some.last}, needed, width);
@@ -147,7 +208,7 @@ private:
         }
     }
 
-    // The cells that are the strip's own on every one of `lines` lines.
+    // The cells that are the band's own on every one of `lines` lines.
     CellRange common_cells(std::size_t first_line, std::size_t lines) const
     {
         const CellRange at_start = own_cells(first_line);
@@ -174,30 +235,32 @@ private:
                            Lit* to, std::ptrdiff_t to_stride) const
     {
         kernels_.transpose_bytes(reinterpret_cast<const std::uint8_t*>(from), from_stride, rows, columns,
-                                 as_bytes(to), to_stride);
+                                 as_bytes(to), to_stride, kernels::RowsFirst::written);
     }
 
     void transpose_answers(const float* from, std::ptrdiff_t from_stride, std::size_t rows,
                            std::size_t columns, float* to, std::ptrdiff_t to_stride) const
     {
-        kernels_.transpose_floats(from, from_stride, rows, columns, to, to_stride);
+        kernels_.transpose_floats(from, from_stride, rows, columns, to, to_stride,
+                                  kernels::RowsFirst::written);
     }
 
     const kernels::Kernels& kernels_;
-    kernels::StripLines strip_;
+    kernels::StripLines lines_;
+    const Band& band_;
     const LightOrder<const float>& heights_;
     const LightOrder<Answer>& answers_;
     Carry carry_;
-    std::vector<float> lines_m_;
-    std::vector<Answer> turned_;
+    Grid<float> lines_m_;
+    Grid<Answer> turned_;
 };
 
-/// Walks a strip through all of its lines (see StripWalk).
+/// Walks a band through all of its lines (see BandWalk).
 template <std::size_t kLinesBefore, typename Answer, typename Carry>
-void walk_strip(const kernels::Kernels& kernels, const kernels::StripLines& strip,
-                const LightOrder<const float>& heights, const LightOrder<Answer>& answers, Carry carry)
+void walk_band(const kernels::Kernels& kernels, const kernels::StripLines& lines, const Band& band,
+               const LightOrder<const float>& heights, const LightOrder<Answer>& answers, Carry carry)
 {
-    StripWalk<Answer, kLinesBefore, Carry>(kernels, strip, heights, answers, std::move(carry)).walk();
+    BandWalk<Answer, kLinesBefore, Carry>(kernels, lines, band, heights, answers, std::move(carry)).walk();
 }
 
 } // namespace duskline

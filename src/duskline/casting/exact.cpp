@@ -738,17 +738,17 @@ Grid<Answer> cast_all(const HeightField& field, const DirectionalLight& light, c
     all.last_beam = static_cast<std::ptrdiff_t>(heights.cells) + (cast.sideways > 0 ? 0 : drift);
 
     const std::size_t threads = thread_count(execution);
-    const auto strips =
-        strips_of_equal_work(all, threads == 1 ? 1 : kStripsPerThread * threads,
-                             heights.cell_step == 1 ? kMostBeamsAlongRows : kMostBeamsAlongColumns);
-    for_rows(strips.size() - 1, 1, execution, [&](std::size_t i, std::size_t) {
-        FrontStrip front(cast, strips[i], strips[i + 1]);
-        StripLines own = all;
-        own.first_beam = strips[i];
-        own.last_beam = strips[i + 1];
-        walk_strip<1>(
-            kernels, own, heights, out,
-            [&](const StripLines& lines, Answer* to, std::ptrdiff_t step) { front.carry(lines, to, step); });
+    const auto bands =
+        bands_of_equal_work(all, threads == 1 ? 1 : kBandsPerThread * threads, heights.cell_step == 1);
+    for_rows(bands.size(), 1, execution, [&](std::size_t i, std::size_t) {
+        const Band& band = bands[i];
+        std::vector<FrontStrip> fronts;
+        for (std::size_t k = 0; k + 1 < band.size(); ++k)
+            fronts.emplace_back(cast, band[k], band[k + 1]);
+        walk_band<1>(kernels, all, band, heights, out,
+                     [&](std::size_t k, const StripLines& lines, Answer* to, std::ptrdiff_t step) {
+                         fronts[k].carry(lines, to, step);
+                     });
     });
     return answers;
 }

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 
 namespace duskline {
 
@@ -52,6 +53,33 @@ float* sweep(const Kernels& kernels, const SweepLines& lines, float* shadow_m, s
 {
     return kernels.sweep_shadow_heights(lines, shadow_m, line_step);
 }
+
+// The front over a strip: neighbour, own beams, neighbour. Two copies, because a line is carried from one to the
+// other. The own beams begin where a cache line does.
+class CarriedFront {
+public:
+    explicit CarriedFront(std::span<const float> front)
+        : copies_(2, (kBefore + front.size() + kCacheLine - 1) / kCacheLine * kCacheLine)
+    {
+        std::ranges::copy(front, newer());
+        std::ranges::copy(front, other());
+    }
+
+    float* newer() { return copies_.row(newer_).data() + kBefore; }
+    float* other() { return copies_.row(1 - newer_).data() + kBefore; }
+    void set_newer(const float* front)
+    {
+        if (front == other())
+            newer_ = 1 - newer_;
+    }
+
+private:
+    static constexpr std::size_t kCacheLine = 16; // floats
+    static constexpr std::size_t kBefore = kCacheLine - 1;
+
+    Grid<float> copies_;
+    std::size_t newer_ = 0;
+};
 
 SweepFront front_for(const HeightField& field, const LightFrame& frame)
 {
@@ -120,28 +148,24 @@ void SweepFront::advance_strips(const LightOrder<const float>& heights, const Li
     all.last_beam = first_beam_ + static_cast<std::ptrdiff_t>(front_m_.size()) - 2;
 
     const std::size_t threads = thread_count(execution);
-    const auto strips =
-        strips_of_equal_work(all, threads == 1 ? 1 : kStripsPerThread * threads,
-                             heights.cell_step == 1 ? kMostBeamsAlongRows : kMostBeamsAlongColumns);
-    for_rows(strips.size() - 1, 1, execution, [&](std::size_t i, std::size_t) {
-        const auto first = strips[i] - all.first_beam; // of the front
-        const auto last = strips[i + 1] - all.first_beam;
-        std::vector<float> front(front_m_.begin() + first, front_m_.begin() + last + 2);
-        std::vector<float> other = front;
-        SweepLines sweep_lines;
-        sweep_lines.drop_m = static_cast<float>(frame_.drop_m);
-        sweep_lines.front = front.data();
-        sweep_lines.other_front = other.data();
-        StripLines own = all;
-        own.first_beam = strips[i];
-        own.last_beam = strips[i + 1];
-        walk_strip<0>(*kernels_, own, heights, answers,
-                      [&](const StripLines& lines, Answer* out, std::ptrdiff_t out_step) {
-                          sweep_lines.strip = lines;
-                          if (sweep(*kernels_, sweep_lines, out, out_step) != sweep_lines.front)
-                              std::swap(sweep_lines.front, sweep_lines.other_front);
-                      });
-        std::copy_n(sweep_lines.front + 1, last - first, next_front_m_.begin() + first + 1);
+    const auto bands =
+        bands_of_equal_work(all, threads == 1 ? 1 : kBandsPerThread * threads, heights.cell_step == 1);
+    for_rows(bands.size(), 1, execution, [&](std::size_t i, std::size_t) {
+        const Band& band = bands[i];
+        std::vector<CarriedFront> fronts;
+        for (std::size_t k = 0; k + 1 < band.size(); ++k)
+            fronts.emplace_back(std::span<const float>(front_m_).subspan(
+                static_cast<std::size_t>(band[k] - all.first_beam),
+                static_cast<std::size_t>(band[k + 1] - band[k]) + 2));
+        walk_band<0>(*kernels_, all, band, heights, answers,
+                     [&](std::size_t k, const StripLines& lines, Answer* out, std::ptrdiff_t out_step) {
+                         const SweepLines lines_and_front{lines, static_cast<float>(frame_.drop_m),
+                                                          fronts[k].newer(), fronts[k].other()};
+                         fronts[k].set_newer(sweep(*kernels_, lines_and_front, out, out_step));
+                     });
+        for (std::size_t k = 0; k + 1 < band.size(); ++k)
+            std::copy_n(fronts[k].newer() + 1, band[k + 1] - band[k],
+                        next_front_m_.begin() + (band[k] - all.first_beam) + 1);
     });
     std::swap(front_m_, next_front_m_);
     next_line_ += heights.lines;

@@ -86,6 +86,10 @@ struct BracketLine {
     std::int32_t number = 0; ///< of the line
 };
 
+/// Which side of a transpose goes row after row: the one whose rows are far apart in memory, so that each of its
+/// cache lines is finished before it is left.
+enum class RowsFirst { read, written };
+
 /// The SIMD code of one processor level. All levels give the same bytes.
 struct Kernels {
     std::string_view isa; ///< "scalar", "ssse3", "sse4", "avx2", "avx512"
@@ -105,9 +109,9 @@ struct Kernels {
 
     /// to[x * to_stride + y] = from[y * from_stride + x] for y < rows, x < columns.
     void (*transpose_floats)(const float* from, std::ptrdiff_t from_stride, std::size_t rows,
-                             std::size_t columns, float* to, std::ptrdiff_t to_stride);
+                             std::size_t columns, float* to, std::ptrdiff_t to_stride, RowsFirst);
     void (*transpose_bytes)(const std::uint8_t* from, std::ptrdiff_t from_stride, std::size_t rows,
-                            std::size_t columns, std::uint8_t* to, std::ptrdiff_t to_stride);
+                            std::size_t columns, std::uint8_t* to, std::ptrdiff_t to_stride, RowsFirst);
 };
 
 /// Every level this build contains and this processor can run, best first; "scalar" is always the last.

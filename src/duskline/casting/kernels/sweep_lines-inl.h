@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -36,10 +37,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 // A front below this is one that no ground has raised yet. Finite, because it is interpolated.
 inline constexpr float kRaised_m = -1.0e20f;
 
+// Half a page. The processor's own prefetching stops at the end of each page.
+inline constexpr std::size_t kCellsFetchedAhead = 512;
+
 // One line, shifted so that index i means cell i and its beam.
 struct Line {
     const float* near_cell;
-    const float* next_near_cell; // of the next line, to be fetched while this one is worked on
     const float* far_cell;
     const float* near_beam;
     const float* far_beam;
@@ -54,6 +57,7 @@ struct Swept {
     hn::Vec<D> ground;
     hn::Vec<D> ground_tilted;
     hn::Vec<D> front;
+    bool all_known; // none of them is without data
 };
 
 // The greater of the two; `otherwise` when `candidate` is NaN.
@@ -73,19 +77,21 @@ HWY_INLINE Swept<D> sweep_cells(D d, const Line& line, std::size_t i)
 {
     const auto fraction = hn::Set(d, line.fraction);
     const auto tilt = hn::Set(d, line.tilt_m);
-    hwy::Prefetch(line.next_near_cell + i);
+    hwy::Prefetch(line.near_cell + i + kCellsFetchedAhead);
     const auto ground = hn::LoadU(d, line.near_cell + i);
     const auto ahead = hn::LoadU(d, line.far_cell + i);
     const auto beam = hn::LoadU(d, line.near_beam + i);
     const auto behind = hn::LoadU(d, line.far_beam + i);
 
     const auto ground_tilted = hn::Add(ground, tilt);
-    auto under_beam = hn::Add(ground_tilted, hn::Mul(hn::Sub(ahead, ground), fraction));
-    const auto known = hn::Eq(under_beam, under_beam);
-    if (HWY_UNLIKELY(!hn::AllTrue(d, known))) // beside a hole: half a cell around a sample casts
+    const auto rise = hn::Sub(ahead, ground);
+    const auto known = hn::Eq(rise, rise);
+    const bool all_known = hn::AllTrue(d, known);
+    auto under_beam = hn::Add(ground_tilted, hn::Mul(rise, fraction));
+    if (HWY_UNLIKELY(!all_known)) // beside a hole: half a cell around a sample casts
         under_beam = hn::IfThenElse(known, under_beam, hn::Add(line.fraction < 0.5f ? ground : ahead, tilt));
     hn::StoreU(higher_or(d, under_beam, beam), d, line.next_beam + i);
-    return {ground, ground_tilted, hn::Add(beam, hn::Mul(hn::Sub(behind, beam), fraction))};
+    return {ground, ground_tilted, hn::Add(beam, hn::Mul(hn::Sub(behind, beam), fraction)), all_known};
 }
 
 template <class D>
@@ -107,14 +113,13 @@ struct MaskAnswer {
     template <class D>
     HWY_INLINE void cells(D d, const Line& line, std::size_t i) const
     {
-        const hn::RebindToSigned<D> di;
+        const hn::RebindToUnsigned<D> du;
         const hn::Rebind<std::uint8_t, D> du8;
         const auto swept = sweep_cells(d, line, i);
-        const auto lit = hn::RebindMask(di, is_lit(d, swept));
-        const auto no_data = hn::RebindMask(di, is_no_data(d, swept));
-        const auto answer =
-            hn::IfThenElse(no_data, hn::Set(di, 255), hn::IfThenElseZero(lit, hn::Set(di, 1)));
-        hn::StoreU(hn::DemoteTo(du8, answer), du8, out + i);
+        auto answer = hn::IfThenElseZero(hn::RebindMask(du, is_lit(d, swept)), hn::Set(du, 1));
+        if (HWY_UNLIKELY(!swept.all_known))
+            answer = hn::IfThenElse(hn::RebindMask(du, is_no_data(d, swept)), hn::Set(du, 255), answer);
+        hn::StoreU(hn::U8FromU32(answer), du8, out + i);
     }
 };
 
@@ -140,17 +145,19 @@ HWY_INLINE void sweep_line(const Line& line, std::size_t first, std::size_t last
     const hn::ScalableTag<float> d;
     const std::size_t lanes = hn::Lanes(d);
     std::size_t i = first;
-    for (; i + lanes <= last; i += lanes)
-        answer.cells(d, line, i);
-    if (i == last)
-        return;
-    if (last - first
-        >= lanes) { // the end once more: the front goes to another copy, so nothing is done twice
-        answer.cells(d, line, last - lanes);
+    if (last - first < lanes) {
+        for (; i < last; ++i)
+            answer.cells(hn::CappedTag<float, 1>(), line, i);
         return;
     }
-    for (; i < last; ++i)
-        answer.cells(hn::CappedTag<float, 1>(), line, i);
+    // Some cells twice, so that registers of beams begin where cache lines do, and at the end. The front goes to
+    // another copy: nothing is carried twice.
+    answer.cells(d, line, i);
+    i += lanes - reinterpret_cast<std::uintptr_t>(line.near_beam + first) / sizeof(float) % lanes;
+    for (; i + lanes <= last; i += lanes)
+        answer.cells(d, line, i);
+    if (i < last)
+        answer.cells(d, line, last - lanes);
 }
 
 // One beam carried on, whose cell is not answered, and may be the one just outside the grid: what `sweep_cells`
@@ -213,7 +220,6 @@ HWY_INLINE float* sweep_lines(const SweepLines& sweep, const MakeAnswer& answer_
             // Cell j and the slot of its beam in the two copies of the front.
             const std::ptrdiff_t slot = 1 - strip.first_beam - sideways * shift.whole;
             const Line line{heights + first,
-                            heights + first + strip.line_step,
                             heights + first + far,
                             front + first + slot,
                             front + first + slot - far,

@@ -8,11 +8,12 @@
 #define DUSKLINE_TRANSPOSE_INL_H_
 #endif
 
+#include <duskline/casting/kernels/kernels.h>
+
 #include <hwy/highway.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 
 HWY_BEFORE_NAMESPACE();
 namespace duskline::kernels {
@@ -40,7 +41,59 @@ using ByteBlock = PlainBlock<std::uint8_t>;
 
 #else
 
-// 4 x 4 floats. (8 x 8 in wider registers gained nothing that could be measured: memory sets the pace.)
+// A square of blocks, each of four rows of four values in one 128-bit part of a register: every one of them turned.
+template <class D>
+HWY_INLINE void turn_fours(D d, hn::Vec<D>& row0, hn::Vec<D>& row1, hn::Vec<D>& row2, hn::Vec<D>& row3)
+{
+    const hn::Repartition<double, D> pairs;
+    const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(d, row0, row1));
+    const auto low23 = hn::BitCast(pairs, hn::InterleaveLower(d, row2, row3));
+    const auto high01 = hn::BitCast(pairs, hn::InterleaveUpper(d, row0, row1));
+    const auto high23 = hn::BitCast(pairs, hn::InterleaveUpper(d, row2, row3));
+    row0 = hn::BitCast(d, hn::InterleaveLower(pairs, low01, low23));
+    row1 = hn::BitCast(d, hn::InterleaveUpper(pairs, low01, low23));
+    row2 = hn::BitCast(d, hn::InterleaveLower(pairs, high01, high23));
+    row3 = hn::BitCast(d, hn::InterleaveUpper(pairs, high01, high23));
+}
+
+#if HWY_MAX_BYTES >= 32
+
+// 8 x 8 floats: the lower half of a register holds rows 0 .. 3, the upper half rows 4 .. 7.
+struct FloatBlock {
+    static constexpr std::size_t kSide = 8;
+
+    static HWY_INLINE void transpose(const float* from, std::ptrdiff_t from_stride, float* to,
+                                     std::ptrdiff_t to_stride)
+    {
+        four_columns(from, from_stride, to, to_stride);
+        four_columns(from + 4, from_stride, to + 4 * to_stride, to_stride);
+    }
+
+private:
+    static HWY_INLINE void four_columns(const float* from, std::ptrdiff_t from_stride, float* to,
+                                        std::ptrdiff_t to_stride)
+    {
+        const hn::FixedTag<float, 8> d;
+        const hn::Half<decltype(d)> half;
+        const auto rows = [&](std::ptrdiff_t y) {
+            return hn::Combine(d, hn::LoadU(half, from + (y + 4) * from_stride),
+                               hn::LoadU(half, from + y * from_stride));
+        };
+        auto row0 = rows(0);
+        auto row1 = rows(1);
+        auto row2 = rows(2);
+        auto row3 = rows(3);
+        turn_fours(d, row0, row1, row2, row3);
+        hn::StoreU(row0, d, to);
+        hn::StoreU(row1, d, to + to_stride);
+        hn::StoreU(row2, d, to + 2 * to_stride);
+        hn::StoreU(row3, d, to + 3 * to_stride);
+    }
+};
+
+#else
+
+// 4 x 4 floats.
 struct FloatBlock {
     static constexpr std::size_t kSide = 4;
 
@@ -48,21 +101,19 @@ struct FloatBlock {
                                      std::ptrdiff_t to_stride)
     {
         const hn::FixedTag<float, 4> d;
-        const hn::FixedTag<double, 2> pairs;
-        const auto row0 = hn::LoadU(d, from);
-        const auto row1 = hn::LoadU(d, from + from_stride);
-        const auto row2 = hn::LoadU(d, from + 2 * from_stride);
-        const auto row3 = hn::LoadU(d, from + 3 * from_stride);
-        const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(d, row0, row1));
-        const auto low23 = hn::BitCast(pairs, hn::InterleaveLower(d, row2, row3));
-        const auto high01 = hn::BitCast(pairs, hn::InterleaveUpper(d, row0, row1));
-        const auto high23 = hn::BitCast(pairs, hn::InterleaveUpper(d, row2, row3));
-        hn::StoreU(hn::BitCast(d, hn::InterleaveLower(pairs, low01, low23)), d, to);
-        hn::StoreU(hn::BitCast(d, hn::InterleaveUpper(pairs, low01, low23)), d, to + to_stride);
-        hn::StoreU(hn::BitCast(d, hn::InterleaveLower(pairs, high01, high23)), d, to + 2 * to_stride);
-        hn::StoreU(hn::BitCast(d, hn::InterleaveUpper(pairs, high01, high23)), d, to + 3 * to_stride);
+        auto row0 = hn::LoadU(d, from);
+        auto row1 = hn::LoadU(d, from + from_stride);
+        auto row2 = hn::LoadU(d, from + 2 * from_stride);
+        auto row3 = hn::LoadU(d, from + 3 * from_stride);
+        turn_fours(d, row0, row1, row2, row3);
+        hn::StoreU(row0, d, to);
+        hn::StoreU(row1, d, to + to_stride);
+        hn::StoreU(row2, d, to + 2 * to_stride);
+        hn::StoreU(row3, d, to + 3 * to_stride);
     }
 };
+
+#endif // HWY_MAX_BYTES
 
 // 16 x 16 bytes: four rounds that interleave row i with row i + 8 leave the columns.
 struct ByteBlock {
@@ -98,11 +149,9 @@ private:
 
 #endif // HWY_SCALAR
 
-// Blocks are taken along the side that is packed more densely in memory, so that of the other, a grid whose rows
-// are far apart, each cache line is finished before it is left.
 template <class Block, typename T>
 HWY_INLINE void transpose(const T* from, std::ptrdiff_t from_stride, std::size_t rows, std::size_t columns,
-                          T* to, std::ptrdiff_t to_stride)
+                          T* to, std::ptrdiff_t to_stride, RowsFirst rows_first)
 {
     constexpr std::size_t side = Block::kSide;
     const std::size_t whole_rows = rows - rows % side;
@@ -112,7 +161,7 @@ HWY_INLINE void transpose(const T* from, std::ptrdiff_t from_stride, std::size_t
         const auto x = static_cast<std::ptrdiff_t>(column);
         Block::transpose(from + y * from_stride + x, from_stride, to + x * to_stride + y, to_stride);
     };
-    if (std::abs(from_stride) > std::abs(to_stride)) {
+    if (rows_first == RowsFirst::read) {
         for (std::size_t y = 0; y < whole_rows; y += side)
             for (std::size_t x = 0; x < whole_columns; x += side)
                 block(y, x);
@@ -134,15 +183,16 @@ HWY_INLINE void transpose(const T* from, std::ptrdiff_t from_stride, std::size_t
 }
 
 inline void transpose_floats(const float* from, std::ptrdiff_t from_stride, std::size_t rows,
-                             std::size_t columns, float* to, std::ptrdiff_t to_stride)
+                             std::size_t columns, float* to, std::ptrdiff_t to_stride, RowsFirst rows_first)
 {
-    transpose<FloatBlock>(from, from_stride, rows, columns, to, to_stride);
+    transpose<FloatBlock>(from, from_stride, rows, columns, to, to_stride, rows_first);
 }
 
 inline void transpose_bytes(const std::uint8_t* from, std::ptrdiff_t from_stride, std::size_t rows,
-                            std::size_t columns, std::uint8_t* to, std::ptrdiff_t to_stride)
+                            std::size_t columns, std::uint8_t* to, std::ptrdiff_t to_stride,
+                            RowsFirst rows_first)
 {
-    transpose<ByteBlock>(from, from_stride, rows, columns, to, to_stride);
+    transpose<ByteBlock>(from, from_stride, rows, columns, to, to_stride, rows_first);
 }
 
 } // namespace HWY_NAMESPACE
