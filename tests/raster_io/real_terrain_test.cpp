@@ -54,9 +54,7 @@ double most_wrong(const RealTerrain& terrain, const RealLight& light)
     const std::string name = terrain.name;
     if (name == "Hawaii")
         return light.altitude < 20.0 ? 0.004 : 0.0005;
-    if (light.azimuth == 90.5)
-        return 0.016;
-    return name == "Fuji" && light.azimuth == 100.3 && light.altitude == 20.0 ? 0.010 : 0.008;
+    return 0.008;
 }
 
 std::string path_of(const RealTerrain& terrain)

@@ -8,6 +8,8 @@
 //                        |    |    |        front[k] = max(front[k], ground under the beam + drop_m * v)
 //      line v     o--x-o--x-o--x-o---
 //
+// Two such combs of beams, half a cell apart, unless beams pass over cells alone.
+//
 // A cell is lit when its own ground reaches the front between its two beams. No height is ever resampled from
 // the front, so far edges stay sharp, and every cell is visited once, whatever the length of the shadows.
 //
@@ -44,38 +46,35 @@ constexpr float kNoShadow_m = -1.0e30f;
 // Steeper light than this shades nothing anyone could have measured; more would overflow the tilt.
 constexpr double kSteepestDrop_m = 1.0e15;
 
-float* sweep(const Kernels& kernels, const SweepLines& lines, Lit* mask, std::ptrdiff_t line_step)
+void sweep(const Kernels& kernels, const SweepLines& lines, Lit* mask, std::ptrdiff_t line_step)
 {
-    return kernels.sweep_mask(lines, as_bytes(mask), line_step);
+    kernels.sweep_mask(lines, as_bytes(mask), line_step);
 }
 
-float* sweep(const Kernels& kernels, const SweepLines& lines, float* shadow_m, std::ptrdiff_t line_step)
+void sweep(const Kernels& kernels, const SweepLines& lines, float* shadow_m, std::ptrdiff_t line_step)
 {
-    return kernels.sweep_shadow_heights(lines, shadow_m, line_step);
+    kernels.sweep_shadow_heights(lines, shadow_m, line_step);
 }
 
-// The front over a strip: neighbour, own beams, neighbour. Two copies, because a line is carried from one to the
-// other. The own beams begin where a cache line does.
-class CarriedFront {
+// One comb of the front over a strip: neighbour, own beams, neighbour. Two copies, because a line is carried from
+// one to the other. The own beams begin where a cache line does.
+class CarriedComb {
 public:
-    explicit CarriedFront(std::span<const float> front)
+    explicit CarriedComb(std::span<const float> front)
         : copies_(2, (kBefore + front.size() + kCacheLine - 1) / kCacheLine * kCacheLine)
     {
-        std::ranges::copy(front, newer());
-        std::ranges::copy(front, other());
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
+            std::ranges::copy(front, copy(i));
     }
 
-    float* newer() { return copies_.row(newer_).data() + kBefore; }
-    float* other() { return copies_.row(1 - newer_).data() + kBefore; }
-    void set_newer(const float* front)
-    {
-        if (front == other())
-            newer_ = 1 - newer_;
-    }
+    kernels::CombFront front() { return {copy(newer_), copy(1 - newer_)}; }
+    void carried_over(std::size_t lines) { newer_ = (newer_ + lines) % 2; }
 
 private:
     static constexpr std::size_t kCacheLine = 16; // floats
     static constexpr std::size_t kBefore = kCacheLine - 1;
+
+    float* copy(std::size_t i) { return copies_.row(i).data() + kBefore; }
 
     Grid<float> copies_;
     std::size_t newer_ = 0;
@@ -104,10 +103,14 @@ SweepFront::SweepFront(std::size_t lines, std::size_t cells, const LightFrame& f
     : kernels_(&kernels::active_kernels()), frame_(frame), cells_(cells)
 {
     frame_.drop_m = std::min(frame_.drop_m, kSteepestDrop_m);
-    const std::ptrdiff_t drift = lines == 0 ? 0 : kernels::beam_shift(frame_.lateral, lines - 1).whole;
+    halfway_ = frame_.lateral != std::trunc(frame_.lateral);
+    // The beams halfway may drift by one cell more.
+    const std::ptrdiff_t drift = lines == 0 ? 0 : kernels::beam_shift(frame_.lateral, lines - 1).whole + 1;
     first_beam_ = frame_.lateral < 0.0 ? 0 : -drift;
     // One more on either side, so that every beam has neighbours.
-    front_m_.assign(cells + static_cast<std::size_t>(drift) + 2, kNoShadow_m);
+    front_m_[0].assign(cells + static_cast<std::size_t>(drift) + 2, kNoShadow_m);
+    if (halfway_)
+        front_m_[1] = front_m_[0];
     next_front_m_ = front_m_;
 }
 
@@ -145,27 +148,35 @@ void SweepFront::advance_strips(const LightOrder<const float>& heights, const Li
     all.shifts = shifts.data();
     all.sideways = frame_.lateral < 0.0 ? -1 : 1;
     all.first_beam = first_beam_;
-    all.last_beam = first_beam_ + static_cast<std::ptrdiff_t>(front_m_.size()) - 2;
+    all.last_beam = first_beam_ + static_cast<std::ptrdiff_t>(front_m_[0].size()) - 2;
 
     const std::size_t threads = thread_count(execution);
     const auto bands =
         bands_of_equal_work(all, threads == 1 ? 1 : kBandsPerThread * threads, heights.cell_step == 1);
     for_rows(bands.size(), 1, execution, [&](std::size_t i, std::size_t) {
         const Band& band = bands[i];
-        std::vector<CarriedFront> fronts;
+        std::vector<CarriedComb> combs; // of each strip one, or one and the one halfway
+        const std::size_t each = halfway_ ? 2 : 1;
         for (std::size_t k = 0; k + 1 < band.size(); ++k)
-            fronts.emplace_back(std::span<const float>(front_m_).subspan(
-                static_cast<std::size_t>(band[k] - all.first_beam),
-                static_cast<std::size_t>(band[k + 1] - band[k]) + 2));
-        walk_band<0>(*kernels_, all, band, heights, answers,
-                     [&](std::size_t k, const StripLines& lines, Answer* out, std::ptrdiff_t out_step) {
-                         const SweepLines lines_and_front{lines, static_cast<float>(frame_.drop_m),
-                                                          fronts[k].newer(), fronts[k].other()};
-                         fronts[k].set_newer(sweep(*kernels_, lines_and_front, out, out_step));
-                     });
+            for (std::size_t c = 0; c < each; ++c)
+                combs.emplace_back(std::span<const float>(front_m_[c])
+                                       .subspan(static_cast<std::size_t>(band[k] - all.first_beam),
+                                                static_cast<std::size_t>(band[k + 1] - band[k]) + 2));
+        walk_band<0>(
+            *kernels_, all, band, heights, answers,
+            [&](std::size_t k, const StripLines& lines, Answer* out, std::ptrdiff_t out_step) {
+                const std::span of_strip(combs.data() + k * each, each);
+                SweepLines sweep_lines{lines, static_cast<float>(frame_.drop_m), of_strip[0].front(), {}};
+                if (halfway_)
+                    sweep_lines.halfway = of_strip[1].front();
+                sweep(*kernels_, sweep_lines, out, out_step);
+                for (CarriedComb& comb : of_strip)
+                    comb.carried_over(lines.lines);
+            });
         for (std::size_t k = 0; k + 1 < band.size(); ++k)
-            std::copy_n(fronts[k].newer() + 1, band[k + 1] - band[k],
-                        next_front_m_.begin() + (band[k] - all.first_beam) + 1);
+            for (std::size_t c = 0; c < each; ++c)
+                std::copy_n(combs[k * each + c].front().newer + 1, band[k + 1] - band[k],
+                            next_front_m_[c].begin() + (band[k] - all.first_beam) + 1);
     });
     std::swap(front_m_, next_front_m_);
     next_line_ += heights.lines;

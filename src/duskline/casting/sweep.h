@@ -4,6 +4,7 @@
 #include <duskline/casting/shadow_mask.h>
 #include <duskline/execution/progress.h>
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -33,7 +34,7 @@ ShadowField shadow_heights_by_sweep(const HeightField& field, const DirectionalL
 /// light, advance, and the answers for that block are final. Lines are rows or columns as the frame says, and
 /// come in light order, every line once. However they are cut into blocks, the bytes are the same.
 ///
-/// Memory: two floats per beam (at most twice the cells of a line), and per thread some 300 KiB.
+/// Memory: four floats per beam (at most twice the cells of a line), and per thread some 600 KiB.
 class SweepFront {
 public:
     /// A front that has met nothing yet, for `lines` lines of `cells` cells.
@@ -59,9 +60,10 @@ private:
     LightFrame frame_;
     std::size_t cells_;
     std::size_t next_line_ = 0;
-    std::ptrdiff_t first_beam_; // the beam whose height is front_m_[1]
-    std::vector<float> front_m_;
-    std::vector<float> next_front_m_;
+    std::ptrdiff_t first_beam_;                 // the beam whose height is front_m_[.][1]
+    bool halfway_;                              // whether there are beams half a cell from the others
+    std::array<std::vector<float>, 2> front_m_; // the beams, and those halfway
+    std::array<std::vector<float>, 2> next_front_m_;
 };
 
 } // namespace duskline

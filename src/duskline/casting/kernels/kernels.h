@@ -36,16 +36,22 @@ struct StripLines {
     std::ptrdiff_t last_beam = 0;
 };
 
-/// What a sweep (sweep.cpp) carries over the lines of a strip.
+/// Heights of the front at one comb of beams, a cell apart: last_beam - first_beam + 2 of them, the strip's beams
+/// and one neighbour on either side. Two copies; with every line the other becomes the newer.
+struct CombFront {
+    float* newer = nullptr;
+    float* other = nullptr;
+};
+
+/// What a sweep (sweep.cpp) carries over the lines of a strip. Heights of the front are those of the shadow at the
+/// last line divisible by kLinesPerTilt.
 struct SweepLines {
     StripLines strip;
     float drop_m = 0.0f; ///< LightFrame::drop_m
 
-    /// Two copies of the front, last_beam - first_beam + 2 heights each: the strip's beams and one neighbour on
-    /// either side, whose cells are not answered. Heights are those of the shadow at the last line divisible
-    /// by kLinesPerTilt. Which copy is the newer changes with every line.
-    float* front = nullptr;
-    float* other_front = nullptr;
+    CombFront beams; ///< where `shifts` say
+    CombFront
+        halfway; ///< half a cell further; null when light runs along cells and beams pass over them only
 };
 
 /// A cell whose line the bracket could not settle.
@@ -95,11 +101,11 @@ struct Kernels {
     std::string_view isa; ///< "scalar", "ssse3", "sse4", "avx2", "avx512"
 
     /// Carries the front over the lines and answers every cell of the strip in `lit` (0 shadow, 1 lit, 255 no
-    /// data), laid out as `heights` are. Returns the newer copy of the front.
-    float* (*sweep_mask)(const SweepLines&, std::uint8_t* lit, std::ptrdiff_t lit_line_step);
+    /// data), laid out as `heights` are.
+    void (*sweep_mask)(const SweepLines&, std::uint8_t* lit, std::ptrdiff_t lit_line_step);
 
     /// The same with shadow heights for answers: minus infinity where nothing shades, NaN for no data.
-    float* (*sweep_shadow_heights)(const SweepLines&, float* shadow_m, std::ptrdiff_t shadow_line_step);
+    void (*sweep_shadow_heights)(const SweepLines&, float* shadow_m, std::ptrdiff_t shadow_line_step);
 
     /// Settles what it can of a line and returns how many open cells it found.
     std::size_t (*bracket_line)(const BracketLine&, std::size_t cells);

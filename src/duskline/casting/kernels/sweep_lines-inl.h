@@ -1,11 +1,13 @@
 // The inner loop of the sweep (sweep.cpp): one line of cells against the front of beams.
 //
-// Cell i stands between beam i, `fraction` of a cell ahead of it, and beam i's neighbour behind; beam i stands
-// between cell i and the cell ahead, `fraction` of the way:
+// Beams stand half a cell apart, two over each cell, and the cell between the nearer of them and one behind it:
 //
-//      far beam      cell i   beam i     far cell            (light moving to the right)
-//          x...........o.......x...........o
-//          |<--1-f---->|<--f-->|
+//        behind    cell i  nearer    farther      cell ahead     (light moving to the right)
+//          x.........o.......x.........x.............o
+//                    |<--f-->|
+//                    |<-----f + 1/2--->|
+//
+// Where light runs along cells every beam passes over cells alone: one over each does, and the farther is left out.
 //
 // Everything is interpolated from the nearer one, near + (far - near) * f, which keeps level ground level to
 // the last bit and makes mirrored terrain give mirrored answers.
@@ -40,15 +42,25 @@ inline constexpr float kRaised_m = -1.0e20f;
 // Half a page. The processor's own prefetching stops at the end of each page.
 inline constexpr std::size_t kCellsFetchedAhead = 512;
 
-// One line, shifted so that index i means cell i and its beam.
-struct Line {
-    const float* near_cell;
-    const float* far_cell;
-    const float* near_beam;
-    const float* far_beam;
-    float* next_beam;
+// Beams of one comb on a line, shifted so that index i means the one ahead of cell i, by `fraction` of a cell.
+struct Beams {
+    const float* front;
+    float* next;
     float fraction;
-    float tilt_m; // what the front's heights are above true ones here
+};
+
+// One line, shifted so that index i means cell i and its beams.
+template <bool kHalfway>
+struct Line {
+    const float* cell;
+    const float* cell_ahead;
+    const float* next_line; // its cell i
+    const float* fetch;     // what is fetched while cell i is worked on
+    Beams nearer;
+    Beams farther; // with kHalfway
+    const float* behind;
+    float behind_share; // of the way from the nearer beam to the one behind, where the cell is
+    float tilt_m;       // what the front's heights are above true ones here
 };
 
 // What is known of some cells once their line is swept.
@@ -72,26 +84,31 @@ HWY_INLINE hn::Vec<D> higher_or(D, hn::Vec<D> candidate, hn::Vec<D> otherwise)
 }
 
 // Cells i .. i + Lanes(d) - 1: what their answers need, and their beams carried on.
-template <class D>
-HWY_INLINE Swept<D> sweep_cells(D d, const Line& line, std::size_t i)
+template <class D, bool kHalfway>
+HWY_INLINE Swept<D> sweep_cells(D d, const Line<kHalfway>& line, std::size_t i)
 {
-    const auto fraction = hn::Set(d, line.fraction);
     const auto tilt = hn::Set(d, line.tilt_m);
-    hwy::Prefetch(line.near_cell + i + kCellsFetchedAhead);
-    const auto ground = hn::LoadU(d, line.near_cell + i);
-    const auto ahead = hn::LoadU(d, line.far_cell + i);
-    const auto beam = hn::LoadU(d, line.near_beam + i);
-    const auto behind = hn::LoadU(d, line.far_beam + i);
-
+    hwy::Prefetch(line.fetch + i);
+    const auto ground = hn::LoadU(d, line.cell + i);
+    const auto ahead = hn::LoadU(d, line.cell_ahead + i);
     const auto ground_tilted = hn::Add(ground, tilt);
     const auto rise = hn::Sub(ahead, ground);
     const auto known = hn::Eq(rise, rise);
     const bool all_known = hn::AllTrue(d, known);
-    auto under_beam = hn::Add(ground_tilted, hn::Mul(rise, fraction));
-    if (HWY_UNLIKELY(!all_known)) // beside a hole: half a cell around a sample casts
-        under_beam = hn::IfThenElse(known, under_beam, hn::Add(line.fraction < 0.5f ? ground : ahead, tilt));
-    hn::StoreU(higher_or(d, under_beam, beam), d, line.next_beam + i);
-    return {ground, ground_tilted, hn::Add(beam, hn::Mul(hn::Sub(behind, beam), fraction)), all_known};
+    const auto carry_on = [&](const Beams& beams, hn::Vec<D> front) {
+        auto under_beam = hn::Add(ground_tilted, hn::Mul(rise, hn::Set(d, beams.fraction)));
+        if (HWY_UNLIKELY(!all_known)) // beside a hole: half a cell around a sample casts
+            under_beam =
+                hn::IfThenElse(known, under_beam, hn::Add(beams.fraction < 0.5f ? ground : ahead, tilt));
+        hn::StoreU(higher_or(d, under_beam, front), d, beams.next + i);
+    };
+    const auto nearer = hn::LoadU(d, line.nearer.front + i);
+    const auto behind = hn::LoadU(d, line.behind + i);
+    carry_on(line.nearer, nearer);
+    if constexpr (kHalfway)
+        carry_on(line.farther, hn::LoadU(d, line.farther.front + i));
+    const auto front = hn::Add(nearer, hn::Mul(hn::Sub(behind, nearer), hn::Set(d, line.behind_share)));
+    return {ground, ground_tilted, front, all_known};
 }
 
 template <class D>
@@ -106,20 +123,27 @@ HWY_INLINE hn::Mask<D> is_no_data(D, const Swept<D>& cells)
     return hn::Not(hn::Eq(cells.ground, cells.ground));
 }
 
+// A byte for each answer: 1 for true, else 0.
+template <class D>
+HWY_INLINE hn::Vec<hn::Rebind<std::uint8_t, D>> as_bytes(D, hn::Mask<D> answers)
+{
+    const hn::RebindToUnsigned<D> du;
+    return hn::U8FromU32(hn::IfThenElseZero(hn::RebindMask(du, answers), hn::Set(du, 1)));
+}
+
 // Answers with a byte: 1 lit, 0 shadow, 255 no data.
 struct MaskAnswer {
     std::uint8_t* out;
 
-    template <class D>
+    template <class D, class Line>
     HWY_INLINE void cells(D d, const Line& line, std::size_t i) const
     {
-        const hn::RebindToUnsigned<D> du;
         const hn::Rebind<std::uint8_t, D> du8;
         const auto swept = sweep_cells(d, line, i);
-        auto answer = hn::IfThenElseZero(hn::RebindMask(du, is_lit(d, swept)), hn::Set(du, 1));
+        auto answer = as_bytes(d, is_lit(d, swept));
         if (HWY_UNLIKELY(!swept.all_known))
-            answer = hn::IfThenElse(hn::RebindMask(du, is_no_data(d, swept)), hn::Set(du, 255), answer);
-        hn::StoreU(hn::U8FromU32(answer), du8, out + i);
+            answer = hn::Or(answer, hn::Sub(hn::Zero(du8), as_bytes(d, is_no_data(d, swept))));
+        hn::StoreU(answer, du8, out + i);
     }
 };
 
@@ -127,7 +151,7 @@ struct MaskAnswer {
 struct ShadowHeightAnswer {
     float* out;
 
-    template <class D>
+    template <class D, class Line>
     HWY_INLINE void cells(D d, const Line& line, std::size_t i) const
     {
         const auto swept = sweep_cells(d, line, i);
@@ -139,8 +163,8 @@ struct ShadowHeightAnswer {
     }
 };
 
-template <class Answer>
-HWY_INLINE void sweep_line(const Line& line, std::size_t first, std::size_t last, const Answer& answer)
+template <class Line, class Answer>
+HWY_INLINE void sweep_line(Line line, std::size_t first, std::size_t last, const Answer& answer)
 {
     const hn::ScalableTag<float> d;
     const std::size_t lanes = hn::Lanes(d);
@@ -153,7 +177,11 @@ HWY_INLINE void sweep_line(const Line& line, std::size_t first, std::size_t last
     // Some cells twice, so that registers of beams begin where cache lines do, and at the end. The front goes to
     // another copy: nothing is carried twice.
     answer.cells(d, line, i);
-    i += lanes - reinterpret_cast<std::uintptr_t>(line.near_beam + first) / sizeof(float) % lanes;
+    i += lanes - reinterpret_cast<std::uintptr_t>(line.nearer.front + first) / sizeof(float) % lanes;
+    line.fetch = line.cell + kCellsFetchedAhead;
+    for (; i + lanes + kCellsFetchedAhead <= last; i += lanes)
+        answer.cells(d, line, i);
+    line.fetch = line.next_line - i;
     for (; i + lanes <= last; i += lanes)
         answer.cells(d, line, i);
     if (i < last)
@@ -179,83 +207,131 @@ inline void carry_beam(const StripLines& strip, const float* heights, BeamShift 
     next[slot] = under_beam > front[slot] ? under_beam : front[slot];
 }
 
-// The beams whose cells are not answered: the neighbour that the strip's beams are interpolated with, and the
-// beam that is about to enter the grid.
-inline void carry_other_beams(const StripLines& strip, const float* heights, BeamShift shift, float tilt_m,
-                              const float* front, float* next)
+// The comb half a cell further.
+inline BeamShift halfway(BeamShift shift)
 {
-    const std::ptrdiff_t neighbour = strip.sideways > 0 ? strip.first_beam - 1 : strip.last_beam;
+    return shift.fraction < 0.5f ? BeamShift{shift.whole, shift.fraction + 0.5f}
+                                 : BeamShift{shift.whole + 1, shift.fraction - 0.5f};
+}
+
+// The beams of a comb whose cells the strip does not answer: the one that a beam is interpolated with or that will
+// be, and the one that is about to enter the grid. `moved`: cells that the comb is ahead of the strip's.
+inline void carry_other_beams(const StripLines& strip, const float* heights, BeamShift shift,
+                              std::ptrdiff_t moved, float tilt_m, const float* front, float* next)
+{
+    const std::ptrdiff_t unanswered = strip.sideways > 0
+                                          ? (moved == 0 ? strip.first_beam - 1 : strip.last_beam - 1)
+                                          : (moved == 0 ? strip.last_beam : strip.first_beam);
     const std::ptrdiff_t outside = strip.sideways > 0 ? -1 : static_cast<std::ptrdiff_t>(strip.cells);
     const std::ptrdiff_t entering = outside - strip.sideways * shift.whole;
-    carry_beam(strip, heights, shift, tilt_m, neighbour, front, next);
-    if (entering >= strip.first_beam && entering < strip.last_beam)
+    carry_beam(strip, heights, shift, tilt_m, unanswered, front, next);
+    if (entering >= strip.first_beam - 1 && entering <= strip.last_beam)
         carry_beam(strip, heights, shift, tilt_m, entering, front, next);
 }
 
-template <class MakeAnswer>
-HWY_INLINE float* sweep_lines(const SweepLines& sweep, const MakeAnswer& answer_for_line)
+// The line's beams from cell `first` on.
+template <bool kHalfway>
+Line<kHalfway> line_of(const SweepLines& sweep, BeamShift shift, const float* heights, float tilt_m,
+                       std::ptrdiff_t first)
+{
+    const StripLines& strip = sweep.strip;
+    const std::ptrdiff_t sideways = strip.sideways;
+    // In a comb's arrays, the beam ahead of a cell.
+    const auto at = [&](BeamShift comb) { return first + 1 - strip.first_beam - sideways * comb.whole; };
+    const auto comb = [&](const CombFront& front, BeamShift its) {
+        return Beams{front.newer + at(its), front.other + at(its), its.fraction};
+    };
+    Line<kHalfway> line{};
+    line.cell = line.fetch = heights + first;
+    line.next_line = line.cell + strip.line_step;
+    line.tilt_m = tilt_m;
+    if constexpr (kHalfway) {
+        line.cell_ahead = line.cell + sideways;
+        line.nearer = comb(sweep.beams, shift);
+        line.farther = comb(sweep.halfway, halfway(shift));
+        if (line.farther.fraction < line.nearer.fraction)
+            std::swap(line.nearer, line.farther);
+        line.behind = line.farther.front - sideways;
+        line.behind_share = 2.0f * line.nearer.fraction;
+    } else {
+        line.cell_ahead = line.cell;
+        line.nearer = comb(sweep.beams, shift);
+        line.behind = line.nearer.front;
+    }
+    return line;
+}
+
+template <bool kHalfway, class MakeAnswer>
+HWY_INLINE void sweep_lines(SweepLines sweep, const MakeAnswer& answer_for_line)
 {
     const StripLines& strip = sweep.strip;
     const std::ptrdiff_t sideways = strip.sideways;
     const auto beams = static_cast<std::size_t>(strip.last_beam - strip.first_beam + 2);
     const auto cells = static_cast<std::ptrdiff_t>(strip.cells);
-    float* front = sweep.front;
-    float* next = sweep.other_front;
+    const auto lower = [&](float* front) {
+        for (std::size_t k = 0; k < beams; ++k)
+            front[k] -= sweep.drop_m * static_cast<float>(kLinesPerTilt);
+    };
 
     for (std::size_t i = 0; i < strip.lines; ++i) {
         const std::size_t v = strip.first_line + i;
-        if (v % kLinesPerTilt == 0 && v != 0)
-            for (std::size_t k = 0; k < beams; ++k)
-                front[k] -= sweep.drop_m * static_cast<float>(kLinesPerTilt);
-
+        if (v % kLinesPerTilt == 0 && v != 0) {
+            lower(sweep.beams.newer);
+            if constexpr (kHalfway)
+                lower(sweep.halfway.newer);
+        }
         const BeamShift shift = strip.shifts[i];
         const std::ptrdiff_t first = std::max<std::ptrdiff_t>(strip.first_beam + sideways * shift.whole, 0);
         const std::ptrdiff_t last = std::min(strip.last_beam + sideways * shift.whole, cells);
         const float* heights = strip.heights + static_cast<std::ptrdiff_t>(i) * strip.line_step
                                - static_cast<std::ptrdiff_t>(strip.first_cell);
         const float tilt_m = sweep.drop_m * static_cast<float>(v % kLinesPerTilt);
-        carry_other_beams(strip, heights, shift, tilt_m, front, next);
+        carry_other_beams(strip, heights, shift, 0, tilt_m, sweep.beams.newer, sweep.beams.other);
+        if constexpr (kHalfway) {
+            const BeamShift further = halfway(shift);
+            carry_other_beams(strip, heights, further, further.whole - shift.whole, tilt_m,
+                              sweep.halfway.newer, sweep.halfway.other);
+        }
         if (first < last) {
-            const std::ptrdiff_t far = shift.fraction == 0.0f ? 0 : sideways;
-            // Cell j and the slot of its beam in the two copies of the front.
-            const std::ptrdiff_t slot = 1 - strip.first_beam - sideways * shift.whole;
-            const Line line{heights + first,
-                            heights + first + far,
-                            front + first + slot,
-                            front + first + slot - far,
-                            next + first + slot,
-                            shift.fraction,
-                            tilt_m};
+            const auto line = line_of<kHalfway>(sweep, shift, heights, tilt_m, first);
             const auto answer = answer_for_line(i, first);
             const auto count = static_cast<std::size_t>(last - first);
-            // The beam ahead of the outermost cell has left the grid. It shades nothing but that cell, which is
-            // compared with what it passes, so it goes on over ground like the cell's.
-            const bool from_edge = far < 0 && first == 0;
-            const bool to_edge = far > 0 && last == cells;
+            // The beams ahead of the outermost cell have left the grid. They shade nothing but that cell, which is
+            // compared with what they pass, so they go on over ground like the cell's.
+            const bool from_edge = kHalfway && sideways < 0 && first == 0;
+            const bool to_edge = kHalfway && sideways > 0 && last == cells;
             sweep_line(line, from_edge ? 1 : 0, to_edge ? count - 1 : count, answer);
             if (from_edge || to_edge) {
-                const std::size_t edge = from_edge ? 0 : count - 1;
-                Line alone = line;
-                alone.far_cell = line.near_cell;
-                answer.cells(hn::CappedTag<float, 1>(), alone, edge);
+                auto alone = line;
+                alone.cell_ahead = line.cell;
+                answer.cells(hn::CappedTag<float, 1>(), alone, from_edge ? 0 : count - 1);
             }
         }
-        std::swap(front, next);
+        std::swap(sweep.beams.newer, sweep.beams.other);
+        std::swap(sweep.halfway.newer, sweep.halfway.other);
     }
-    return front;
 }
 
-inline float* sweep_mask(const SweepLines& sweep, std::uint8_t* lit, std::ptrdiff_t lit_line_step)
+template <class MakeAnswer>
+HWY_INLINE void sweep_all_lines(const SweepLines& sweep, const MakeAnswer& answer_for_line)
 {
-    return sweep_lines(sweep, [&](std::size_t i, std::ptrdiff_t first) {
+    if (sweep.halfway.newer != nullptr)
+        sweep_lines<true>(sweep, answer_for_line);
+    else
+        sweep_lines<false>(sweep, answer_for_line);
+}
+
+inline void sweep_mask(const SweepLines& sweep, std::uint8_t* lit, std::ptrdiff_t lit_line_step)
+{
+    sweep_all_lines(sweep, [&](std::size_t i, std::ptrdiff_t first) {
         return MaskAnswer{lit + static_cast<std::ptrdiff_t>(i) * lit_line_step + first
                           - static_cast<std::ptrdiff_t>(sweep.strip.first_cell)};
     });
 }
 
-inline float* sweep_shadow_heights(const SweepLines& sweep, float* shadow_m, std::ptrdiff_t shadow_line_step)
+inline void sweep_shadow_heights(const SweepLines& sweep, float* shadow_m, std::ptrdiff_t shadow_line_step)
 {
-    return sweep_lines(sweep, [&](std::size_t i, std::ptrdiff_t first) {
+    sweep_all_lines(sweep, [&](std::size_t i, std::ptrdiff_t first) {
         return ShadowHeightAnswer{shadow_m + static_cast<std::ptrdiff_t>(i) * shadow_line_step + first
                                   - static_cast<std::ptrdiff_t>(sweep.strip.first_cell)};
     });
