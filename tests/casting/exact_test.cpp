@@ -73,7 +73,7 @@ TEST(Exact, GivesTheSameBytesOnEverySimdLevelForAnyThreads)
                     << level.isa << ", " << threads << " threads, azimuth " << azimuth;
     }
     const Terrain flat{Grid<float>(2, 2, 0.0f), {}};
-    EXPECT_THROW(cast_by_exact(flat, {}, {}, "avx1024"), InvalidInput);
+    EXPECT_THROW(cast_by_exact(flat, DirectionalLight{}, {}, "avx1024"), InvalidInput);
 }
 
 TEST(Exact, ShadowHeightsAreTheRays)

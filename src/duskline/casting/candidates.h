@@ -42,6 +42,15 @@ public:
         push(lists_[unit], candidate);
     }
 
+    /// The same for a candidate that may have been the last one added.
+    void add_once(std::size_t unit, std::int32_t base, std::uint32_t candidate)
+    {
+        renew(unit, base);
+        const List& list = lists_[unit];
+        if (list.count == 0 || memory_[list.first + list.count - 1] != candidate)
+            push(lists_[unit], candidate);
+    }
+
     /// Whether the next candidate would have to move a long list.
     bool is_full(std::size_t unit) const
     {
@@ -52,6 +61,17 @@ public:
     {
         std::ranges::copy(candidates, memory_.begin() + lists_[unit].first);
         lists_[unit].count = static_cast<std::uint32_t>(candidates.size());
+    }
+
+    /// Takes over what another list's unit holds since `base`.
+    void inherit(std::size_t unit, std::int32_t base, const CandidateLists& from, std::size_t from_unit)
+    {
+        const List& old = from.lists_[from_unit];
+        if (old.base != base) // renewed when it is asked for
+            return;
+        lists_[unit].base = base;
+        for (std::uint32_t i = 0; i < old.count; ++i)
+            push(lists_[unit], from.memory_[old.first + i]);
     }
 
 private:

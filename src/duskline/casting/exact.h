@@ -2,6 +2,7 @@
 
 #include <duskline/casting/shadow_mask.h>
 #include <duskline/execution/progress.h>
+#include <duskline/light/point_light.h>
 
 #include <string_view>
 
@@ -27,6 +28,14 @@ ShadowMask cast_by_exact(const HeightField& field, const DirectionalLight& light
 
 /// The shadow heights that go with it, rounded to float. Cost: some ten times the mask's.
 ShadowField shadow_heights_by_exact(const HeightField& field, const DirectionalLight& light,
+                                    const Execution& execution = {});
+
+/// The same for a lamp: the answers of `ray`, as for the sun. Cost: a few times a sun's; memory: some 100 bytes for
+/// every beam of a strip of 1024 cells or so, and for each thread.
+ShadowMask cast_by_exact(const HeightField& field, const PointLight& light, const Execution& execution = {});
+ShadowMask cast_by_exact(const HeightField& field, const PointLight& light, const Execution& execution,
+                         std::string_view isa);
+ShadowField shadow_heights_by_exact(const HeightField& field, const PointLight& light,
                                     const Execution& execution = {});
 
 } // namespace duskline

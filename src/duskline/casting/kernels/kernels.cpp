@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 // after foreach_target.h
 #include <duskline/casting/kernels/bracket_line-inl.h>
+#include <duskline/casting/kernels/lamp_line-inl.h>
 #include <duskline/casting/kernels/sweep_lines-inl.h>
 #include <duskline/casting/kernels/transpose-inl.h>
 
@@ -18,6 +19,9 @@ Kernels kernels_called(std::string_view isa)
             sweep_mask,
             sweep_shadow_heights,
             bracket_line,
+            heights_over,
+            bracket_lamp_line,
+            rising_lines_across,
             highest_magnitude,
             transpose_floats,
             transpose_bytes};

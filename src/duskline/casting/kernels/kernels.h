@@ -96,6 +96,49 @@ struct BracketLine {
 /// cache lines is finished before it is left.
 enum class RowsFirst { read, written };
 
+/// What rounding can be wrong by in the front of a lamp, as a share of the sizes of all numbers that meet: places of
+/// beams to a millionth of a cell, and some forty roundings.
+constexpr float kLampRounding = 5e-6f;
+
+/// One line of cells before the brackets of a lamp's exact front (exact_lamp.cpp). Index i is a beam, and the unit
+/// from it to the next one. Heights are over a plane through the lamp, those of the front divided by lines from it.
+struct LampLine {
+    const float* over = nullptr; ///< of cell 0; NaN for 64 cells either side of the grid
+    double first_place = 0.0;    ///< of beam 0, in cells
+    double step = 0.0;           ///< cells from beam to beam, 0 to below 1
+    float beams_per_cell = 0.0f;
+    float per_line = 0.0f; ///< 1 / lines from the lamp
+    std::int32_t number = 0;
+
+    // Filled; room for 32 more than there are beams.
+    float* at = nullptr;            ///< this line at the beam
+    float* part = nullptr;          ///< of a cell that the beam stands behind the sample before it
+    std::int32_t* before = nullptr; ///< that sample
+    float* next = nullptr;          ///< height of the one after
+    float* size = nullptr;          ///< magnitudes of the two together
+    float* front_before = nullptr;  ///< front without this line
+
+    // Carried from line to line.
+    float* front = nullptr;       ///< front at the beam
+    float* above = nullptr;       ///< how far it may rise over the chord between two beams
+    float* below = nullptr;       ///< and fall below it
+    std::int32_t* base = nullptr; ///< the line that replaced everything before it
+
+    std::uint8_t* answer = nullptr; ///< for the sample in the unit, not to be relied on where kUnanswered
+    OpenCell* open = nullptr;       ///< filled; one for each unit at most
+};
+
+/// Cells of a line and of the one before, all on one side of the lamp. Index i is a cell.
+struct LampCells {
+    const float* over = nullptr; ///< heights over the lamp's plane
+    const float* over_before = nullptr;
+    std::ptrdiff_t outwards = 1; ///< 1 when cells count away from the lamp, else -1
+    float first_away = 0.0f;     ///< from the lamp to cell 0
+    float per_line = 0.0f;       ///< 1 / lines from the lamp
+    float per_line_before = 0.0f;
+    std::uint32_t* rising = nullptr; ///< filled; one for each cell at most
+};
+
 /// The SIMD code of one processor level. All levels give the same bytes.
 struct Kernels {
     std::string_view isa; ///< "scalar", "ssse3", "sse4", "avx2", "avx512"
@@ -109,6 +152,15 @@ struct Kernels {
 
     /// Settles what it can of a line and returns how many open cells it found.
     std::size_t (*bracket_line)(const BracketLine&, std::size_t cells);
+
+    /// over[i] = heights[i] less a number given in two parts.
+    void (*heights_over)(const float* heights, std::size_t count, float high, float low, float* over);
+
+    /// Settles what it can of a line and returns how many open units it found.
+    std::size_t (*bracket_lamp_line)(const LampLine&, std::size_t units);
+
+    /// Lists the cells whose line across, from the line before, may rise over both lines; returns how many.
+    std::size_t (*rising_lines_across)(const LampCells&, std::size_t cells);
 
     /// The greatest magnitude among the values that are not NaN; 0 when there is none.
     float (*highest_magnitude)(const float* values, std::size_t count);

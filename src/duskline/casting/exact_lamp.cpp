@@ -1,0 +1,1045 @@
+// Exact shadows of a lamp: the front of exact.cpp in the frame of beams that all come from one point.
+//
+// Away from the lamp, wedge by wedge (two across rows, two across columns), a ray keeps two numbers for ever:
+//
+//      lamp *                        b = cells sideways / lines from the lamp      where it goes
+//          /|`.                      g = height over the lamp / lines from it      how steeply
+//         / |  `.     line 1
+//        /  |    `.                  Straight lines stay straight, and the higher g is the higher shadow. The front
+//       /   |      `.  line 2        is the highest g of all lines passed, for every b; exact.cpp's brackets and
+//      b=-1 b=0    b=1               candidates hold it, in units between beams 1/N apart.
+//
+// N is a power of two and above the lines from the lamp, so that a unit holds one sample of a line at most; where the
+// lamp is too far for that, every unit is cut in half. What is left open by the brackets is decided by the crossings
+// of its ray with the candidates, by the formula of the march itself (lamp_march.h): the answers are the ray's.
+//
+// Places and heights are kept about a reference beam and a plane through the lamp that meet the terrain in its
+// middle, so that a lamp a million cells away costs no digits: any beam and any plane through the lamp will do.
+//
+// Strips of neighbouring beams know nothing of each other. How many there are depends on the grid alone.
+//
+// The projective frame for light from a point is that of shadow volumes and of perspective shadow maps; the envelope
+// by a sweep is exact.cpp's (Reif and Sen 1988). Brackets and candidates, and cutting units in half, are ours.
+
+#include <duskline/casting/beam_strips.h>
+#include <duskline/casting/candidates.h>
+#include <duskline/casting/exact.h>
+#include <duskline/casting/kernels/kernels.h>
+#include <duskline/casting/lamp_march.h>
+#include <duskline/execution/for_rows.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace duskline {
+
+namespace {
+
+using kernels::kLampRounding;
+using kernels::Kernels;
+using kernels::LampCells;
+using kernels::LampLine;
+using kernels::OpenCell;
+
+// As in exact.cpp: no ground has passed under a beam yet.
+constexpr float kNoGround = -1.0e30f;
+constexpr float kSeenGround = -1.0e20f;
+constexpr float kWideOpen = 1.0e30f;
+
+// Beams between b = 0 and 1 at least.
+constexpr double kFewestBeams = 16.0;
+
+// Beams stand this much closer than samples, so that rounding never puts two into a unit.
+constexpr double kSpare = 1.001;
+
+// Units that a strip carries beside its own: what crosses its border is known on both sides.
+constexpr std::int64_t kMarginUnits = 2;
+
+// Cells that a strip reads beside its own.
+constexpr std::ptrdiff_t kMarginCells = 8;
+
+// No data around the line at hand, for the kernels to read.
+constexpr std::size_t kPadding = 64;
+
+// Nearer lines have lines across that run over many units; they are not filtered.
+constexpr double kNearLines = 8.0;
+
+// Lines across are followed up to this b.
+constexpr double kWidest = 1.25;
+
+// Cells on a strip's longest line.
+constexpr std::size_t kCellsPerStrip = 1024;
+
+// Lines closer than this, in metres, are one.
+constexpr double kStraight_m = 1e-9;
+
+// What is this close to a beam, in units, may be met by rays on the other side of it.
+constexpr double kBesideBeam = 1e-4;
+
+// A quarter of the grid: the lines beyond a lamp, nearest first.
+struct Wedge {
+    bool lines_are_rows;
+    std::ptrdiff_t first_index; // of the first line, among rows or columns
+    std::ptrdiff_t direction;   // 1 when indices rise away from the lamp, else -1
+    std::ptrdiff_t index_count; // rows or columns of the grid
+    LightOrder<const float> heights;
+    double lamp_index;
+    double lamp_cell;
+
+    // Beams and heights about a reference in the middle of the wedge.
+    double reference_line = 0.0;
+    double reference_cell = 0.0;
+    double lean = 0.0; // cells sideways per line
+    double reference_m = 0.0;
+    double climb_m = 0.0; // of the plane, per line
+
+    // b of the outermost beams
+    double lowest_b = 0.0;
+    double highest_b = 0.0;
+
+    std::ptrdiff_t index_of(std::ptrdiff_t line) const { return first_index + direction * line; }
+    double distance(std::ptrdiff_t line) const
+    {
+        return std::abs(static_cast<double>(index_of(line)) - lamp_index);
+    }
+    double centre(double line) const { return reference_cell + lean * (line - reference_line); }
+    double plane_m(double line) const { return reference_m + climb_m * (line - reference_line); }
+
+    // A sample over the plane, or NaN; the line before the first one counts too.
+    double over_m(std::ptrdiff_t line, std::ptrdiff_t cell) const
+    {
+        const std::ptrdiff_t index = index_of(line);
+        if (index < 0 || index >= index_count || cell < 0 || cell >= static_cast<std::ptrdiff_t>(heights.cells))
+            return std::numeric_limits<double>::quiet_NaN();
+        return heights.first[line * heights.line_step + cell * heights.cell_step]
+               - plane_m(static_cast<double>(line));
+    }
+
+    // Whether the march, too, counts lines this way from a cell to the lamp.
+    bool owns(std::ptrdiff_t line, std::ptrdiff_t cell) const
+    {
+        const double lines = lamp_index - static_cast<double>(index_of(line));
+        const double cells = lamp_cell - static_cast<double>(cell);
+        return lines_are_rows ? counting_towards(lines, cells).lines_are_rows
+                              : !counting_towards(cells, lines).lines_are_rows;
+    }
+
+    CellRange own_cells(std::ptrdiff_t line) const
+    {
+        const auto cells = static_cast<double>(heights.cells);
+        const auto last = static_cast<std::ptrdiff_t>(heights.cells);
+        const double far = distance(line);
+        const auto clamped = [&](double cell) {
+            return static_cast<std::ptrdiff_t>(std::clamp(cell, 0.0, cells));
+        };
+        CellRange own{clamped(std::ceil(lamp_cell - far) - 1.0), clamped(std::floor(lamp_cell + far) + 2.0)};
+        while (own.first < own.last && !owns(line, own.first))
+            ++own.first;
+        while (own.first < own.last && !owns(line, own.last - 1))
+            --own.last;
+        return {own.first, std::min(own.last, last)};
+    }
+};
+
+// What all strips of a cast share.
+struct LampCast {
+    const LampMarch& march;
+    const Kernels& kernels;
+};
+
+// Neighbouring units of a wedge: [first, last), where `beams` are from b = 0 to 1.
+struct Strip {
+    double beams;
+    std::int64_t first;
+    std::int64_t last;
+    bool is_first;
+    bool is_last;
+};
+
+// The front over one strip of units of a wedge.
+class LampFront {
+public:
+    LampFront(const LampCast& cast, const Wedge& wedge, const Strip& strip)
+        : cast_(cast), wedge_(wedge), beams_(strip.beams), first_own_(strip.first), last_own_(strip.last),
+          is_first_strip_(strip.is_first), is_last_strip_(strip.is_last),
+          front_(beam_room(), kNoGround), above_(beam_room(), 0.0f), below_(beam_room(), 0.0f),
+          base_(beam_room(), -1), candidates_(units()),
+          over_(wedge.heights.cells + 2 * kPadding, std::numeric_limits<float>::quiet_NaN()),
+          over_before_(over_), lit_(over_.size())
+    {
+        make_room();
+    }
+
+    // Cells that line `line` needs in memory.
+    CellRange needed_cells(std::ptrdiff_t line) const
+    {
+        const double step = wedge_.distance(line) / beams_;
+        const double first = wedge_.centre(static_cast<double>(line)) + static_cast<double>(first_unit()) * step;
+        const double last = first + static_cast<double>(units()) * step;
+        return clipped(first, last);
+    }
+
+    // Answers the strip's own cells of a line, and has the line pass. `heights` and `answers` by cell.
+    template <typename Answer>
+    CellRange carry(std::ptrdiff_t line, const float* heights, Answer* answers)
+    {
+        begin_line(line);
+        if (first_ == last_) {
+            before_known_ = false;
+            return {0, 0};
+        }
+        if constexpr (std::is_same_v<Answer, float>)
+            base_before_ = base_;
+        const std::size_t open = bracket(heights);
+        if constexpr (std::is_same_v<Answer, float>) {
+            answer_heights(heights, answers);
+        } else {
+            spread_answers();
+            for (std::size_t i = 0; i < open; ++i)
+                if ((open_[i].flags & OpenCell::kUnanswered) != 0)
+                    answer_cell(first_ + open_[i].index, heights);
+            for (std::ptrdiff_t cell = own_.first; cell < own_.last; ++cell)
+                answers[cell] = static_cast<Lit>(lit_of(cell));
+        }
+        raised_.clear();
+        for (std::size_t i = 0; i < open; ++i)
+            if ((open_[i].flags & OpenCell::kUnplaced) != 0)
+                place_line(first_ + open_[i].index);
+        for (const Raise& raise : raised_)
+            raise_front(raise);
+        add_lines_across();
+        std::swap(over_, over_before_);
+        before_known_ = true;
+        return own_;
+    }
+
+private:
+    std::int64_t first_unit() const { return first_own_ - kMarginUnits; }
+    std::size_t units() const { return static_cast<std::size_t>(last_own_ - first_own_ + 2 * kMarginUnits); }
+    std::size_t beam_room() const { return units() + kPadding; }
+
+    void make_room()
+    {
+        for (auto* each : {&at_, &part_, &next_, &size_, &front_before_})
+            each->resize(beam_room());
+        before_.resize(beam_room());
+        answer_.resize(beam_room());
+        open_.resize(beam_room());
+    }
+
+    CellRange clipped(double first, double last) const
+    {
+        const auto cells = static_cast<double>(wedge_.heights.cells);
+        const auto margin = static_cast<double>(kMarginCells);
+        return {static_cast<std::ptrdiff_t>(std::clamp(std::floor(first) - margin, 0.0, cells)),
+                static_cast<std::ptrdiff_t>(std::clamp(std::ceil(last) + margin, 0.0, cells))};
+    }
+
+    // Sets up everything that depends on the line.
+    void begin_line(std::ptrdiff_t line)
+    {
+        line_ = line;
+        distance_ = wedge_.distance(line);
+        while (distance_ * kSpare > beams_)
+            halve_units();
+        step_ = distance_ / beams_;
+        centre_ = wedge_.centre(static_cast<double>(line));
+        first_place_ = centre_ + static_cast<double>(first_unit()) * step_;
+
+        // Units over the grid.
+        const auto count = static_cast<double>(units());
+        const auto cells = static_cast<double>(wedge_.heights.cells);
+        first_ = static_cast<std::size_t>(std::clamp(std::floor((-1.0 - first_place_) / step_), 0.0, count));
+        last_ = static_cast<std::size_t>(std::clamp(std::ceil((cells - first_place_) / step_), 0.0, count));
+        last_ = std::max(first_, last_);
+
+        const auto own_place = [&](std::int64_t unit) {
+            return static_cast<std::ptrdiff_t>(
+                std::clamp(std::ceil(centre_ + static_cast<double>(unit) * step_), 0.0, cells));
+        };
+        own_ = wedge_.own_cells(line);
+        if (!is_first_strip_)
+            own_.first = std::max(own_.first, own_place(first_own_));
+        if (!is_last_strip_)
+            own_.last = std::min(own_.last, own_place(last_own_));
+    }
+
+    // Twice as many beams. A unit's halves inherit all it knows.
+    void halve_units()
+    {
+        const std::int64_t old_first = first_unit();
+        const auto old_front = std::move(front_);
+        const auto old_above = std::move(above_);
+        const auto old_below = std::move(below_);
+        const auto old_base = std::move(base_);
+        const CandidateLists old_candidates = std::move(candidates_);
+        beams_ *= 2.0;
+        first_own_ *= 2;
+        last_own_ *= 2;
+        front_.assign(beam_room(), kNoGround);
+        above_.assign(beam_room(), 0.0f);
+        below_.assign(beam_room(), 0.0f);
+        base_.assign(beam_room(), -1);
+        candidates_ = CandidateLists(units());
+        make_room();
+        for (std::size_t i = 0; i <= units(); ++i) {
+            const std::int64_t beam = first_unit() + static_cast<std::int64_t>(i);
+            const auto old = static_cast<std::size_t>((beam >> 1) - old_first);
+            const bool between = (beam & 1) != 0;
+            front_[i] = between ? old_front[old] + (old_front[old + 1] - old_front[old]) * 0.5f : old_front[old];
+            if (i == units())
+                break;
+            above_[i] = old_above[old];
+            below_[i] = old_below[old];
+            base_[i] = old_base[old];
+            candidates_.inherit(i, base_[i], old_candidates, old);
+        }
+    }
+
+    // Lets the brackets settle what they can; open units are listed from `first_` on.
+    std::size_t bracket(const float* heights)
+    {
+        const double plane_m = wedge_.plane_m(static_cast<double>(line_));
+        const auto high = static_cast<float>(plane_m);
+        const auto low = static_cast<float>(plane_m - high);
+        const CellRange cells = clipped(first_place_ + static_cast<double>(first_) * step_,
+                                        first_place_ + static_cast<double>(last_) * step_);
+        cast_.kernels.heights_over(heights + cells.first, cells.size(), high, low, over() + cells.first);
+
+        LampLine line;
+        line.over = over();
+        line.first_place = first_place_ + static_cast<double>(first_) * step_;
+        line.step = step_;
+        line.beams_per_cell = static_cast<float>(1.0 / step_);
+        line.per_line = static_cast<float>(1.0 / distance_);
+        line.number = static_cast<std::int32_t>(line_);
+        line.at = at_.data() + first_;
+        line.part = part_.data() + first_;
+        line.before = before_.data() + first_;
+        line.next = next_.data() + first_;
+        line.size = size_.data() + first_;
+        line.front_before = front_before_.data() + first_;
+        line.front = front_.data() + first_;
+        line.above = above_.data() + first_;
+        line.below = below_.data() + first_;
+        line.base = base_.data() + first_;
+        line.answer = answer_.data() + first_;
+        line.open = open_.data();
+        return cast_.kernels.bracket_lamp_line(line, last_ - first_);
+    }
+
+    float* over() { return over_.data() + kPadding; }
+    std::uint8_t& lit_of(std::ptrdiff_t cell)
+    {
+        return lit_[static_cast<std::size_t>(cell + static_cast<std::ptrdiff_t>(kPadding))];
+    }
+    bool holds_sample(std::size_t unit) const { return before_[unit + 1] > before_[unit]; }
+    std::ptrdiff_t cell_in(std::size_t unit) const { return before_[unit] + 1; }
+    bool is_own(std::ptrdiff_t cell) const { return cell >= own_.first && cell < own_.last; }
+
+    // From units to cells. Units without a sample write theirs to the next one's, which is yet to come.
+    void spread_answers()
+    {
+        for (std::size_t unit = first_; unit < last_; ++unit)
+            lit_of(cell_in(unit)) = answer_[unit];
+    }
+
+    void answer_cell(std::size_t unit, const float* heights)
+    {
+        const std::ptrdiff_t cell = cell_in(unit);
+        if (is_own(cell))
+            lit_of(cell) = heights[cell] >= shadow_by_candidates_m(unit, base_[unit]) ? 1 : 0;
+    }
+
+    void answer_heights(const float* heights, float* answers)
+    {
+        for (std::size_t unit = first_; unit < last_; ++unit) {
+            const std::ptrdiff_t cell = cell_in(unit);
+            if (holds_sample(unit) && is_own(cell))
+                answers[cell] = std::isnan(heights[cell])
+                                    ? std::numeric_limits<float>::quiet_NaN()
+                                    : shadow_height_as_float(shadow_by_candidates_m(unit, base_before_[unit]));
+        }
+    }
+
+    // The shadow over the cell in a unit by all crossings of its ray that can matter.
+    double shadow_by_candidates_m(std::size_t unit, std::int32_t base)
+    {
+        const auto candidates = candidates_.of(unit, base);
+        if (candidates.empty())
+            return kNothing;
+        const auto index = static_cast<std::size_t>(wedge_.index_of(line_));
+        const auto cell = static_cast<std::size_t>(cell_in(unit));
+        const LampRay ray =
+            wedge_.lines_are_rows ? cast_.march.ray_from(index, cell) : cast_.march.ray_from(cell, index);
+        const bool turned = ray.surface().counting().lines_turned;
+        double shadow_m = kNothing;
+        for (const std::uint32_t id : candidates) {
+            const auto of_grid =
+                static_cast<std::int64_t>(wedge_.index_of(static_cast<std::ptrdiff_t>(Candidate::number(id))));
+            const std::int64_t line = turned ? ray.surface().last_line() - of_grid : of_grid;
+            if (!Candidate::is_between(id)) {
+                shadow_m = std::max(shadow_m, ray.shadow_of_line_m(line));
+                continue;
+            }
+            const std::int64_t first = std::max(ray.cell_at(line), ray.first_cell() + 1);
+            const std::int64_t last = std::min(ray.cell_at(line + 1) + 1, ray.last_cell());
+            for (std::int64_t crossed = first; crossed <= last; ++crossed)
+                shadow_m = std::max(shadow_m, ray.shadow_of_cell_m(crossed));
+        }
+        return shadow_m;
+    }
+
+    // Makes this line a candidate of a unit, and widens the brackets around it.
+    void place_line(std::size_t unit)
+    {
+        candidates_.add(unit, base_[unit], Candidate::line(static_cast<std::size_t>(line_)));
+        const bool holds = holds_sample(unit);
+        float near = at_[unit];
+        float far = at_[unit + 1];
+        const bool near_known = !std::isnan(near);
+        const bool far_known = !std::isnan(far);
+        const float place = std::min((1.0f - part_[unit]) * static_cast<float>(1.0 / step_), 1.0f);
+        const float sample = holds ? next_[unit] : near;
+        // Beside a hole as if level: right for the upper bracket alone.
+        near = near_known ? near : sample;
+        far = far_known ? far : sample;
+        const float off_chord = holds ? sample - (near + (far - near) * place) : 0.0f;
+        const float rounding =
+            4.0f * kLampRounding
+            * (std::abs(near) + std::abs(far) + std::abs(sample) + seen(front_before_[unit])
+               + seen(front_before_[unit + 1]));
+        const float peak = std::max(off_chord, 0.0f) + rounding;
+        const float notch = std::max(-off_chord, 0.0f) + rounding;
+        const float over_near = near - front_before_[unit];
+        const float over_far = far - front_before_[unit + 1];
+        float& above = above_[unit];
+        float& below = below_[unit];
+        if (!near_known || !far_known) {
+            above = std::max(above, peak);
+            below += std::max({near_known ? over_near : 0.0f, far_known ? over_far : 0.0f, 0.0f});
+            if (!near_known)
+                meet_beside(unit, place, -1, near);
+            if (!far_known)
+                meet_beside(unit, place, 1, far);
+            return;
+        }
+        const float least = std::min(over_near, over_far);
+        const float most = std::max(over_near, over_far);
+        if (least >= 0.0f) { // over both ends: the front cannot fall under it
+            above = std::max(peak, above - least + rounding);
+            below = std::min(notch, below + most + rounding);
+        } else if (most <= 0.0f) { // under both
+            above = std::max(above, peak + most);
+        } else { // across: where the two cross, the front is under the new chord
+            above = std::max(above, peak);
+            below = std::max(below, notch) - least * most / (most - least) + rounding;
+        }
+        if (candidates_.is_full(unit))
+            drop_hidden_candidates(unit);
+    }
+
+    static float seen(float front) { return front < kSeenGround ? 0.0f : std::abs(front); }
+
+    struct Raise {
+        std::size_t beam;
+        float front;
+    };
+
+    // A sample with nothing beyond it towards higher (1) or lower (-1) beams. Rays within the march's slack of it meet
+    // it all the same, and close to the lamp that may be some units away.
+    void meet_beside(std::size_t unit, double place, std::ptrdiff_t towards, float sample)
+    {
+        const double reach = kBesideBeam + kSlack_cells / step_;
+        const double to_end = towards > 0 ? 1.0 - place : place;
+        auto neighbour = static_cast<std::ptrdiff_t>(unit);
+        raised_.push_back({static_cast<std::size_t>(neighbour + (towards > 0 ? 1 : 0)), sample});
+        for (double done = to_end; done < reach; done += 1.0) {
+            neighbour += towards;
+            if (neighbour < 0 || neighbour >= static_cast<std::ptrdiff_t>(units()))
+                return;
+            const auto at = static_cast<std::size_t>(neighbour);
+            candidates_.add_once(at, base_[at], Candidate::line(static_cast<std::size_t>(line_)));
+            raised_.push_back({at + (towards > 0 ? 1 : 0), sample});
+        }
+    }
+
+    // Raises the end of two chords, for a line that is not really there: the brackets stay where they were.
+    void raise_front(Raise raise)
+    {
+        const float by = raise.front - front_[raise.beam];
+        if (!(by > 0.0f))
+            return;
+        front_[raise.beam] = raise.front;
+        if (raise.beam < units())
+            below_[raise.beam] += by;
+        if (raise.beam > 0)
+            below_[raise.beam - 1] += by;
+    }
+
+    // The lines across between the line before and this one.
+    void add_lines_across()
+    {
+        const auto cells = static_cast<std::ptrdiff_t>(wedge_.heights.cells);
+        const auto count = static_cast<std::size_t>(wedge_.index_count);
+        if (static_cast<std::size_t>(wedge_.index_of(line_ - 1)) >= count) // wraps before the first
+            return;
+        const double first = first_place_ + static_cast<double>(first_) * step_;
+        const double last = first_place_ + static_cast<double>(last_) * step_;
+        const CellRange all{
+            static_cast<std::ptrdiff_t>(std::clamp(std::floor(first) - 1.0, 0.0, static_cast<double>(cells))),
+            static_cast<std::ptrdiff_t>(std::clamp(std::ceil(last) + 2.0, 0.0, static_cast<double>(cells)))};
+        if (distance_ < kNearLines || !before_known_) {
+            for (std::ptrdiff_t cell = all.first; cell < all.last; ++cell)
+                add_line_across(cell);
+            return;
+        }
+        const auto lamp =
+            static_cast<std::ptrdiff_t>(std::clamp(std::floor(wedge_.lamp_cell) + 1.0, 0.0, static_cast<double>(cells)));
+        add_lines_across({all.first, std::min(all.last, lamp)}, -1);
+        add_lines_across({std::max(all.first, lamp), all.last}, 1);
+    }
+
+    void add_lines_across(CellRange cells, std::ptrdiff_t outwards)
+    {
+        if (cells.empty())
+            return;
+        rising_.resize(std::max(rising_.size(), cells.size()));
+        LampCells line;
+        line.over = over() + cells.first;
+        line.over_before = over_before_.data() + kPadding + cells.first;
+        line.outwards = outwards;
+        line.first_away = static_cast<float>(static_cast<double>(cells.first) - wedge_.lamp_cell);
+        line.per_line = static_cast<float>(1.0 / distance_);
+        line.per_line_before = static_cast<float>(1.0 / wedge_.distance(line_ - 1));
+        line.rising = rising_.data();
+        const std::size_t found = cast_.kernels.rising_lines_across(line, cells.size());
+        for (std::size_t i = 0; i < found; ++i)
+            add_line_across(cells.first + static_cast<std::ptrdiff_t>(rising_[i]));
+    }
+
+    // A place and a height in the frame of the beams; places in units from the strip's first.
+    using Knot = Piece::Knot;
+
+    struct Across {
+        Knot lower;
+        Knot upper;
+    };
+
+    // The line across of a cell, from the line before to `line`, or what of it lies in the wedge; from the lower place
+    // to the upper one, the same place when there is nothing.
+    Across line_across(std::ptrdiff_t line, std::ptrdiff_t cell) const
+    {
+        double here = wedge_.over_m(line, cell);
+        double before = wedge_.over_m(line - 1, cell);
+        const double distance = wedge_.distance(line);
+        double farthest = distance;
+        double nearest =
+            std::max(distance - 1.0, std::abs(static_cast<double>(cell) - wedge_.lamp_cell) / kWidest);
+        // Where one end is missing the march's slack is left of it.
+        if (std::isnan(before)) {
+            nearest = std::max(nearest, distance - kSlack_cells);
+            before = here + wedge_.climb_m;
+        } else if (std::isnan(here)) {
+            farthest = distance - 1.0 + kSlack_cells;
+            here = before - wedge_.climb_m;
+        }
+        if (!(nearest < farthest) || std::isnan(here + before))
+            return {};
+        const auto knot = [&](double from_lamp) {
+            const double back = distance - from_lamp;
+            const double place = static_cast<double>(cell) - wedge_.centre(static_cast<double>(line) - back);
+            return Knot{place / (from_lamp / beams_) - static_cast<double>(first_unit()),
+                        (here + (before - here) * back) / from_lamp};
+        };
+        const Knot far = knot(farthest);
+        const Knot near = knot(nearest);
+        return far.place < near.place ? Across{far, near} : Across{near, far};
+    }
+
+    // What of it lies in one unit; nothing when the places are the same.
+    static Across within(const Across& across, double unit)
+    {
+        const double from = std::max(across.lower.place - unit, 0.0);
+        const double to = std::min(across.upper.place - unit, 1.0);
+        const double length = across.upper.place - across.lower.place;
+        if (!(length > 0.0) || !(from < to))
+            return {};
+        const auto at = [&](double place) {
+            return across.lower.height_m
+                   + (across.upper.height_m - across.lower.height_m)
+                         * ((place + unit - across.lower.place) / length);
+        };
+        return {{from, at(from)}, {to, at(to)}};
+    }
+
+    void add_line_across(std::ptrdiff_t cell)
+    {
+        const Across across = line_across(line_, cell);
+        if (!(across.lower.place < across.upper.place))
+            return;
+        const auto count = static_cast<double>(units());
+        const auto first = static_cast<std::size_t>(std::clamp(std::floor(across.lower.place), 0.0, count));
+        const auto last = static_cast<std::size_t>(std::clamp(std::ceil(across.upper.place), 0.0, count));
+        for (std::size_t unit = first; unit < last; ++unit)
+            add_line_across(unit, within(across, static_cast<double>(unit)));
+    }
+
+    void add_line_across(std::size_t unit, const Across& piece)
+    {
+        if (!(piece.lower.place < piece.upper.place))
+            return;
+        for (const Raise end : {Raise{unit, static_cast<float>(piece.lower.height_m)},
+                                Raise{unit + 1, static_cast<float>(piece.upper.height_m)}})
+            if (front_[end.beam] < kSeenGround)
+                raise_front(end);
+        const auto over_chord = [&](const Knot& knot) {
+            return static_cast<float>(knot.height_m)
+                   - (front_[unit] + (front_[unit + 1] - front_[unit]) * static_cast<float>(knot.place));
+        };
+        const float rounding = 4.0f * kLampRounding
+                               * (std::abs(static_cast<float>(piece.lower.height_m))
+                                  + std::abs(static_cast<float>(piece.upper.height_m)) + std::abs(front_[unit])
+                                  + std::abs(front_[unit + 1]));
+        const float over = std::max(over_chord(piece.lower), over_chord(piece.upper)) + rounding;
+        if (over + below_[unit] <= 0.0f)
+            return;
+        candidates_.add_once(unit, base_[unit], Candidate::between(static_cast<std::size_t>(line_)));
+        above_[unit] = std::max(above_[unit], over);
+    }
+
+    // A candidate's pieces in a unit: of a line one, of lines across a few.
+    std::vector<Piece> pieces_of(std::uint32_t id, std::size_t unit) const
+    {
+        const auto line = static_cast<std::ptrdiff_t>(Candidate::number(id));
+        const auto number = static_cast<double>(first_unit() + static_cast<std::int64_t>(unit));
+        std::vector<Piece> pieces;
+        if (!Candidate::is_between(id)) {
+            pieces.push_back(piece_of_line(line, number));
+            return pieces;
+        }
+        // Columns between the unit's places on both lines.
+        const auto place = [&](double of_line, double beam) {
+            const double back = static_cast<double>(line) - of_line;
+            const double from_lamp = std::max(wedge_.distance(line) - back, 0.0);
+            return wedge_.centre(of_line) + beam * (from_lamp / beams_);
+        };
+        const auto own = static_cast<double>(line);
+        const auto [least, most] =
+            std::minmax({place(own, number), place(own, number + 1.0), place(own - 1.0, number),
+                         place(own - 1.0, number + 1.0)});
+        const auto last = static_cast<std::ptrdiff_t>(std::ceil(most));
+        for (auto cell = static_cast<std::ptrdiff_t>(std::floor(least)); cell <= last; ++cell) {
+            const Across across = within(line_across(line, cell), static_cast<double>(unit));
+            if (!(across.lower.place < across.upper.place))
+                continue;
+            Piece piece;
+            piece.add(across.lower.place, across.lower.height_m);
+            piece.add(across.upper.place, across.upper.height_m);
+            pieces.push_back(piece);
+        }
+        return pieces;
+    }
+
+    Piece piece_of_line(std::ptrdiff_t line, double unit) const
+    {
+        const double distance = wedge_.distance(line);
+        const double step = distance / beams_;
+        const double first = wedge_.centre(static_cast<double>(line)) + unit * step;
+        const double last = first + step;
+        const double below = std::floor(first);
+        const auto cell = static_cast<std::ptrdiff_t>(below);
+        const auto sample = [&](std::ptrdiff_t of_cell) { return wedge_.over_m(line, of_cell) / distance; };
+        const auto at = [&](double place) { // NaN beside a hole
+            const double whole = std::floor(place);
+            const double a = sample(static_cast<std::ptrdiff_t>(whole));
+            return a + (sample(static_cast<std::ptrdiff_t>(whole) + 1) - a) * (place - whole);
+        };
+        Piece piece;
+        const auto add_known = [&piece](double place, double height) {
+            if (!std::isnan(height))
+                piece.add(place, height);
+        };
+        add_known(0.0, at(first));
+        if (below + 1.0 < last)
+            add_known((below + 1.0 - first) / step, sample(cell + 1));
+        add_known(1.0, at(last));
+        return piece;
+    }
+
+    // Forgets candidates that lie under another one all over the unit, and draws the brackets as tightly as what is
+    // left allows.
+    void drop_hidden_candidates(std::size_t unit)
+    {
+        const auto all = candidates_.of(unit, base_[unit]);
+        std::vector<std::uint32_t> kept;
+        std::vector<std::vector<Piece>> pieces;
+        for (auto id = all.rbegin(); id != all.rend(); ++id) { // the latest first: they hide most
+            const auto own = pieces_of(*id, unit);
+            const auto hidden_by = [&](std::size_t k) {
+                return !Candidate::is_between(kept[k]) && std::ranges::all_of(own, [&](const Piece& piece) {
+                    return hides(pieces[k][0], piece, kStraight_m / distance_);
+                });
+            };
+            bool keep = true;
+            for (std::size_t k = 0; keep && k < kept.size(); ++k)
+                keep = !hidden_by(k);
+            if (keep) {
+                kept.push_back(*id);
+                pieces.push_back(own);
+            }
+        }
+        candidates_.keep_only(unit, kept);
+        draw_brackets(unit, pieces);
+    }
+
+    void draw_brackets(std::size_t unit, const std::vector<std::vector<Piece>>& pieces)
+    {
+        const double near = front_[unit];
+        const double far = front_[unit + 1];
+        double above = 0.0;
+        double below = kWideOpen;
+        for (const auto& candidate : pieces)
+            for (const Piece& piece : candidate) {
+                double deepest = 0.0;
+                double rounding = 0.0;
+                for (std::size_t i = 0; i < piece.count; ++i) {
+                    const Knot& knot = piece.knots[i];
+                    const double over = knot.height_m - (near + (far - near) * knot.place);
+                    rounding = std::max(rounding, 4.0 * kLampRounding * std::abs(knot.height_m));
+                    above = std::max(above, over + rounding);
+                    deepest = std::max(deepest, -over);
+                }
+                if (piece.covers(0.0, 1.0))
+                    below = std::min(below, deepest + rounding);
+            }
+        above_[unit] = static_cast<float>(above);
+        below_[unit] = std::min(below_[unit], static_cast<float>(below));
+    }
+
+    const LampCast& cast_;
+    const Wedge& wedge_;
+    double beams_; // from b = 0 to 1
+    std::int64_t first_own_;
+    std::int64_t last_own_;
+    bool is_first_strip_;
+    bool is_last_strip_;
+
+    // By beam, or unit.
+    std::vector<float> front_;
+    std::vector<float> above_;
+    std::vector<float> below_;
+    std::vector<std::int32_t> base_;
+    std::vector<std::int32_t> base_before_;
+    CandidateLists candidates_;
+
+    // By cell, after `kPadding`.
+    std::vector<float> over_;
+    std::vector<float> over_before_;
+    std::vector<std::uint8_t> lit_;
+
+    // Of the line at hand.
+    std::ptrdiff_t line_ = 0;
+    double distance_ = 0.0;
+    double step_ = 0.0; // cells from beam to beam
+    double centre_ = 0.0;
+    double first_place_ = 0.0;
+    std::size_t first_ = 0; // units over the grid
+    std::size_t last_ = 0;
+    CellRange own_{0, 0};
+    bool before_known_ = false; // whether over_before_ is the line before
+    std::vector<float> at_;
+    std::vector<float> part_;
+    std::vector<std::int32_t> before_;
+    std::vector<float> next_;
+    std::vector<float> size_;
+    std::vector<float> front_before_;
+    std::vector<std::uint8_t> answer_;
+    std::vector<OpenCell> open_;
+    std::vector<std::uint32_t> rising_;
+    std::vector<Raise> raised_;
+};
+
+// A strip's way through its wedge: rows as they lie, columns turned into lines block by block.
+template <typename Answer>
+class LampStripWalk {
+public:
+    LampStripWalk(const LampCast& cast, const Wedge& wedge, const Strip& strip, const LightOrder<Answer>& answers)
+        : kernels_(cast.kernels), heights_(wedge.heights), answers_(answers), front_(cast, wedge, strip)
+    {}
+
+    void walk()
+    {
+        if (heights_.cell_step == 1) {
+            for (std::size_t line = 0; line < heights_.lines; ++line) {
+                const auto v = static_cast<std::ptrdiff_t>(line);
+                front_.carry(v, heights_.first + v * heights_.line_step,
+                             answers_.first + v * answers_.line_step);
+            }
+            return;
+        }
+        for (std::size_t done = 0; done < heights_.lines; done += kLinesPerBlock)
+            walk_block(done, std::min(kLinesPerBlock, heights_.lines - done));
+    }
+
+private:
+    void walk_block(std::size_t done, std::size_t lines)
+    {
+        const auto first_line = static_cast<std::ptrdiff_t>(done);
+        const CellRange at_start = front_.needed_cells(first_line);
+        const CellRange at_end = front_.needed_cells(first_line + static_cast<std::ptrdiff_t>(lines) - 1);
+        const CellRange needed{std::min(at_start.first, at_end.first), std::max(at_start.last, at_end.last)};
+        if (needed.empty())
+            return;
+        const auto width = static_cast<std::ptrdiff_t>(needed.size());
+        lines_m_.resize(needed.size() * kLinesPerBlock);
+        turned_.resize(needed.size() * kLinesPerBlock);
+        first_own_.assign(needed.size(), 0);
+        end_own_.assign(needed.size(), 0);
+
+        const bool eastwards = heights_.line_step > 0;
+        const std::size_t lowest = eastwards ? 0 : lines - 1;
+        const float* const from = heights_.first
+                                  + static_cast<std::ptrdiff_t>(done + lowest) * heights_.line_step
+                                  + needed.first * heights_.cell_step;
+        kernels_.transpose_floats(from, heights_.cell_step, needed.size(), lines,
+                                  lines_m_.data() + static_cast<std::ptrdiff_t>(lowest) * width,
+                                  eastwards ? width : -width);
+        for (std::size_t i = 0; i < lines; ++i) {
+            const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * width - needed.first;
+            own_[i] =
+                front_.carry(first_line + static_cast<std::ptrdiff_t>(i), lines_m_.data() + at, turned_.data() + at);
+        }
+        note_own_lines(lines, needed);
+        turn_back(done, lines, needed);
+    }
+
+    // Which lines of the block are the strip's own at every cell: those from `first_own_` to before `end_own_`.
+    void note_own_lines(std::size_t lines, CellRange needed)
+    {
+        const auto fill = [&](std::vector<std::uint8_t>& of_cell, std::size_t i, std::size_t value) {
+            std::fill(of_cell.begin() + (std::max(own_[i].first, needed.first) - needed.first),
+                      of_cell.begin() + (std::max(own_[i].last, needed.first) - needed.first),
+                      static_cast<std::uint8_t>(value));
+        };
+        for (std::size_t i = 0; i < lines; ++i)
+            if (!own_[i].empty())
+                fill(end_own_, i, i + 1);
+        for (std::size_t i = lines; i-- > 0;)
+            if (!own_[i].empty())
+                fill(first_own_, i, i);
+    }
+
+    void turn_back(std::size_t done, std::size_t lines, CellRange needed)
+    {
+        const auto width = static_cast<std::ptrdiff_t>(needed.size());
+        tile_.resize(needed.size() * kLinesPerBlock);
+        transpose(turned_.data(), width, lines, needed.size(), tile_.data(),
+                  static_cast<std::ptrdiff_t>(kLinesPerBlock));
+        for (std::size_t cell = 0; cell < needed.size(); ++cell) {
+            const Answer* const from = tile_.data() + cell * kLinesPerBlock;
+            Answer* const to = answers_.first + static_cast<std::ptrdiff_t>(done) * answers_.line_step
+                               + (needed.first + static_cast<std::ptrdiff_t>(cell)) * answers_.cell_step;
+            for (std::ptrdiff_t i = first_own_[cell]; i < end_own_[cell]; ++i)
+                to[i * answers_.line_step] = from[i];
+        }
+    }
+
+    void transpose(const Lit* from, std::ptrdiff_t from_stride, std::size_t rows, std::size_t columns, Lit* to,
+                   std::ptrdiff_t to_stride) const
+    {
+        kernels_.transpose_bytes(reinterpret_cast<const std::uint8_t*>(from), from_stride, rows, columns,
+                                 as_bytes(to), to_stride);
+    }
+    void transpose(const float* from, std::ptrdiff_t from_stride, std::size_t rows, std::size_t columns, float* to,
+                   std::ptrdiff_t to_stride) const
+    {
+        kernels_.transpose_floats(from, from_stride, rows, columns, to, to_stride);
+    }
+
+    const Kernels& kernels_;
+    const LightOrder<const float>& heights_;
+    LightOrder<Answer> answers_;
+    LampFront front_;
+    std::vector<float> lines_m_;
+    std::vector<Answer> turned_;
+    std::vector<Answer> tile_;
+    std::array<CellRange, kLinesPerBlock> own_;
+    std::vector<std::uint8_t> first_own_;
+    std::vector<std::uint8_t> end_own_;
+};
+
+// The mean of what is known on a line; 0 when nothing is.
+double mean_m(const Wedge& wedge, std::size_t line)
+{
+    double sum_m = 0.0;
+    std::size_t count = 0;
+    for (std::size_t cell = 0; cell < wedge.heights.cells; ++cell)
+        if (const float height_m = wedge.heights.at(line, cell); !std::isnan(height_m)) {
+            sum_m += height_m;
+            ++count;
+        }
+    return count == 0 ? 0.0 : sum_m / static_cast<double>(count);
+}
+
+// Puts the reference beam and plane through the middle of the wedge, and finds its outermost beams.
+void aim(Wedge& wedge, double lamp_m)
+{
+    const std::size_t middle = wedge.heights.lines / 2;
+    const auto last_line = static_cast<std::ptrdiff_t>(wedge.heights.lines) - 1;
+    const double last_cell = static_cast<double>(wedge.heights.cells) - 1.0;
+    const double distance = wedge.distance(static_cast<std::ptrdiff_t>(middle));
+    wedge.reference_line = static_cast<double>(middle);
+    const double beside = std::clamp(wedge.lamp_cell, 0.0, last_cell) - wedge.lamp_cell;
+    wedge.lean = std::clamp(beside / distance, -1.0, 1.0);
+    wedge.reference_cell = wedge.lamp_cell + wedge.lean * distance;
+    wedge.reference_m = mean_m(wedge, middle);
+    wedge.climb_m = (wedge.reference_m - lamp_m) / distance;
+
+    const double nearest = wedge.distance(0);
+    const double farthest = wedge.distance(last_line);
+    const double first = 0.0 - wedge.lamp_cell;
+    const double last = last_cell - wedge.lamp_cell;
+    wedge.lowest_b = std::max(-1.0, std::min(first / nearest, first / farthest));
+    wedge.highest_b = std::min(1.0, std::max(last / nearest, last / farthest));
+}
+
+// The lines on one side of the lamp; none when no cell is theirs.
+Wedge wedge_of(const HeightField& field, const GridPoint& lamp, bool lines_are_rows, bool rising)
+{
+    LightFrame frame;
+    frame.lines_are_rows = lines_are_rows;
+    frame.first_line_is_index_0 = rising;
+    const auto order = in_light_order(field.heights_m, frame);
+    const auto count = static_cast<std::ptrdiff_t>(order.lines);
+    Wedge wedge{};
+    wedge.lines_are_rows = lines_are_rows;
+    wedge.direction = rising ? 1 : -1;
+    wedge.index_count = count;
+    wedge.lamp_index = lines_are_rows ? lamp.row : lamp.column;
+    wedge.lamp_cell = lines_are_rows ? lamp.column : lamp.row;
+    const double beyond = rising ? std::floor(wedge.lamp_index) + 1.0 : std::ceil(wedge.lamp_index) - 1.0;
+    wedge.first_index = static_cast<std::ptrdiff_t>(
+        std::clamp(beyond, rising ? 0.0 : -1.0, static_cast<double>(rising ? count : count - 1)));
+    const std::ptrdiff_t skipped = rising ? wedge.first_index : count - 1 - wedge.first_index;
+    wedge.heights = order.part(static_cast<std::size_t>(skipped), static_cast<std::size_t>(count - skipped));
+    if (wedge.heights.lines == 0)
+        return wedge;
+    aim(wedge, lamp.height_m);
+    if (!(wedge.lowest_b <= wedge.highest_b))
+        wedge.heights.lines = 0;
+    return wedge;
+}
+
+// The strips of a wedge, as many as its longest line asks for.
+std::vector<Strip> strips_of(const Wedge& wedge)
+{
+    if (wedge.heights.lines == 0)
+        return {};
+    double beams = kFewestBeams;
+    while (wedge.distance(0) * kSpare > beams)
+        beams *= 2.0;
+    const auto first = static_cast<std::int64_t>(std::floor((wedge.lowest_b - wedge.lean) * beams));
+    const auto last = static_cast<std::int64_t>(std::ceil((wedge.highest_b - wedge.lean) * beams)) + 1;
+    const double longest =
+        std::min(static_cast<double>(wedge.heights.cells),
+                 (wedge.highest_b - wedge.lowest_b)
+                     * wedge.distance(static_cast<std::ptrdiff_t>(wedge.heights.lines) - 1));
+    const auto count = std::clamp<std::int64_t>(
+        static_cast<std::int64_t>(longest) / static_cast<std::int64_t>(kCellsPerStrip), 1, last - first);
+    std::vector<Strip> strips;
+    for (std::int64_t i = 0; i < count; ++i)
+        strips.push_back({beams, first + (last - first) * i / count, first + (last - first) * (i + 1) / count,
+                          i == 0, i + 1 == count});
+    return strips;
+}
+
+template <typename Answer>
+LightOrder<Answer> answers_of(const Wedge& wedge, Grid<Answer>& answers)
+{
+    LightFrame frame;
+    frame.lines_are_rows = wedge.lines_are_rows;
+    frame.first_line_is_index_0 = wedge.direction > 0;
+    const auto order = in_light_order(answers.view(), frame);
+    return order.part(order.lines - wedge.heights.lines, wedge.heights.lines);
+}
+
+// The cell right under the lamp is in no wedge, and nothing is above it but its own ground.
+template <typename Answer>
+void answer_under_lamp(const HeightField& field, const GridPoint& lamp, Grid<Answer>& answers)
+{
+    if (lamp.row != std::floor(lamp.row) || lamp.column != std::floor(lamp.column) || lamp.row < 0.0
+        || lamp.column < 0.0 || lamp.row >= static_cast<double>(field.rows())
+        || lamp.column >= static_cast<double>(field.columns()))
+        return;
+    const auto row = static_cast<std::size_t>(lamp.row);
+    const auto column = static_cast<std::size_t>(lamp.column);
+    const bool is_known = !std::isnan(field.heights_m(row, column));
+    if constexpr (std::is_same_v<Answer, Lit>)
+        answers(row, column) = is_known ? Lit::yes : Lit::unknown;
+    else
+        answers(row, column) =
+            is_known ? static_cast<float>(kNothing) : std::numeric_limits<float>::quiet_NaN();
+}
+
+template <typename Answer>
+Grid<Answer> cast_all(const HeightField& field, const PointLight& light, const Execution& execution,
+                      const Kernels& kernels)
+{
+    Grid<Answer> answers(field.rows(), field.columns());
+    if (answers.empty())
+        return answers;
+    const LampMarch march(field, light, {}); // asked for single crossings only
+    const LampCast cast{march, kernels};
+    struct Task {
+        std::size_t wedge;
+        Strip strip;
+    };
+    std::vector<Wedge> wedges;
+    std::vector<Task> tasks;
+    for (const bool lines_are_rows : {true, false})
+        for (const bool rising : {true, false}) {
+            wedges.push_back(wedge_of(field, march.lamp(), lines_are_rows, rising));
+            for (const Strip& strip : strips_of(wedges.back()))
+                tasks.push_back({wedges.size() - 1, strip});
+        }
+    answer_under_lamp(field, march.lamp(), answers);
+    for_rows(tasks.size(), 1, execution, [&](std::size_t i, std::size_t) {
+        const Wedge& wedge = wedges[tasks[i].wedge];
+        LampStripWalk<Answer>(cast, wedge, tasks[i].strip, answers_of(wedge, answers)).walk();
+    });
+    return answers;
+}
+
+} // namespace
+
+ShadowMask cast_by_exact(const HeightField& field, const PointLight& light, const Execution& execution)
+{
+    return cast_by_exact(field, light, execution, kernels::active_kernels().isa);
+}
+
+ShadowMask cast_by_exact(const HeightField& field, const PointLight& light, const Execution& execution,
+                         std::string_view isa)
+{
+    require_valid(field);
+    require_valid(light);
+    const Kernels& kernels = kernels::kernels_named(isa);
+    if (const auto answer = uniform_answer(field, light))
+        return uniform_mask(field, *answer);
+    return cast_all<Lit>(field, light, execution, kernels);
+}
+
+ShadowField shadow_heights_by_exact(const HeightField& field, const PointLight& light, const Execution& execution)
+{
+    require_valid(field);
+    require_valid(light);
+    if (const auto answer = uniform_answer(field, light))
+        return uniform_shadow_heights(field, *answer);
+    return cast_all<float>(field, light, execution, kernels::active_kernels());
+}
+
+} // namespace duskline
