@@ -127,16 +127,21 @@ TEST_P(OnRealTerrain, EveryCasterIsAsRightAsItPromises)
     }
 }
 
-// `check_exact` does the same with all cells and hundreds of suns (CONTRIBUTING.md).
-TEST(RealTerrain, ExactCastersAreTheRayFromAnyPartUnderRandomSuns)
+std::vector<RealTerrain> all_places()
 {
     constexpr std::array more = {RealTerrain{"Lakes", kSharedData, "lakes/lakes_dem.tif"},
                                  RealTerrain{"Tile", kSharedData, "hawaii/srtm3_dt1/n19_w156_3arc_v2.dt1"},
                                  RealTerrain{"Holes", kSharedData, "awkward/sea_nan_f32.tif"}};
     std::vector<RealTerrain> places(kTerrains.begin(), kTerrains.end());
     places.insert(places.end(), more.begin(), more.end());
+    return places;
+}
+
+// `check_exact` does the same with all cells and hundreds of suns (CONTRIBUTING.md).
+TEST(RealTerrain, ExactCastersAreTheRayFromAnyPartUnderRandomSuns)
+{
     Dice dice(3);
-    for (const RealTerrain& place : places) {
+    for (const RealTerrain& place : all_places()) {
         if (!std::filesystem::exists(path_of(place)))
             continue;
         const Terrain terrain = read(place);
@@ -155,6 +160,31 @@ TEST(RealTerrain, ExactCastersAreTheRayFromAnyPartUnderRandomSuns)
                     << caster.name << " on " << place.name << ", sun " << i << ", azimuth "
                     << light.azimuth.degrees() << ", altitude " << light.altitude.degrees();
             }
+        }
+    }
+}
+
+TEST(RealTerrain, ExactCastersAreTheRayUnderRandomLamps)
+{
+    Dice dice(5);
+    for (const RealTerrain& place : all_places()) {
+        if (!std::filesystem::exists(path_of(place)))
+            continue;
+        const Terrain terrain = read(place);
+        const HeightField whole = terrain;
+        const std::size_t rows = std::min<std::size_t>(whole.rows(), 300);
+        const std::size_t columns = std::min<std::size_t>(whole.columns(), 350);
+        for (int i = 0; i < 6; ++i) {
+            const HeightField part = whole.window(dice.below(whole.rows() - rows + 1),
+                                                  dice.below(whole.columns() - columns + 1), rows, columns);
+            const PointLight lamp = random_lamp(dice, part);
+            const ShadowMask truth = cast_by_fast_ray(part, lamp);
+            for (const Caster& caster : kCasters)
+                if (caster.cast_lamp != nullptr && !is_truth(caster)) {
+                    EXPECT_TRUE(same_mask(caster.cast_lamp(part, lamp, {}), truth))
+                        << caster.name << " on " << place.name << ", lamp at row " << lamp.position.row
+                        << ", column " << lamp.position.column << ", " << lamp.position.height_m << " m";
+                }
         }
     }
 }

@@ -21,19 +21,26 @@ struct Caster {
 
     ShadowMask (*cast)(const HeightField&, const DirectionalLight&, const Execution&);
     ShadowField (*shadow_heights)(const HeightField&, const DirectionalLight&, const Execution&);
+
+    /// The same for a lamp; null where the caster takes none. See lamps.h.
+    ShadowMask (*cast_lamp)(const HeightField&, const PointLight&, const Execution&);
+    ShadowField (*lamp_shadow_heights)(const HeightField&, const PointLight&, const Execution&);
 };
 
 /// Every caster there is, the reference first.
 inline constexpr std::array kCasters = {
     Caster{"ray", "march every cell towards the light in double precision; slow, the reference",
-           "the definition of a shadow on the grid-line surface", true, cast_by_ray, shadow_heights_by_ray},
+           "the definition of a shadow on the grid-line surface", true, cast_by_ray, shadow_heights_by_ray,
+           cast_by_ray, shadow_heights_by_ray},
     Caster{"fast-ray", "the same rays over a min/max pyramid, the same answers in a small part of the time",
            "Tevs, Ihrke and Seidel, maximum mipmaps, 2008", true, cast_by_fast_ray,
-           shadow_heights_by_fast_ray},
+           shadow_heights_by_fast_ray, cast_by_fast_ray, shadow_heights_by_fast_ray},
     Caster{"exact", "carry the true front across the grid; the ray's answers at nearly the sweep's price",
-           "upper envelope by plane sweep, Reif and Sen 1988", true, cast_by_exact, shadow_heights_by_exact},
+           "upper envelope by plane sweep, Reif and Sen 1988", true, cast_by_exact, shadow_heights_by_exact,
+           cast_by_exact, shadow_heights_by_exact},
     Caster{"sweep", "carry one front of shadow heights across the grid; fastest, off only at shadow edges",
-           "plane sweep in the frame of the beams", false, cast_by_sweep, shadow_heights_by_sweep},
+           "plane sweep in the frame of the beams", false, cast_by_sweep, shadow_heights_by_sweep, nullptr,
+           nullptr},
 };
 
 /// The caster of that name. Throws InvalidInput, listing the names there are.

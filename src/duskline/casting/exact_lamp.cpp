@@ -39,8 +39,8 @@ namespace duskline {
 
 namespace {
 
-using kernels::kLampRounding;
 using kernels::Kernels;
+using kernels::kLampRounding;
 using kernels::LampCells;
 using kernels::LampLine;
 using kernels::OpenCell;
@@ -113,7 +113,8 @@ struct Wedge {
     double over_m(std::ptrdiff_t line, std::ptrdiff_t cell) const
     {
         const std::ptrdiff_t index = index_of(line);
-        if (index < 0 || index >= index_count || cell < 0 || cell >= static_cast<std::ptrdiff_t>(heights.cells))
+        if (index < 0 || index >= index_count || cell < 0
+            || cell >= static_cast<std::ptrdiff_t>(heights.cells))
             return std::numeric_limits<double>::quiet_NaN();
         return heights.first[line * heights.line_step + cell * heights.cell_step]
                - plane_m(static_cast<double>(line));
@@ -165,9 +166,8 @@ class LampFront {
 public:
     LampFront(const LampCast& cast, const Wedge& wedge, const Strip& strip)
         : cast_(cast), wedge_(wedge), beams_(strip.beams), first_own_(strip.first), last_own_(strip.last),
-          is_first_strip_(strip.is_first), is_last_strip_(strip.is_last),
-          front_(beam_room(), kNoGround), above_(beam_room(), 0.0f), below_(beam_room(), 0.0f),
-          base_(beam_room(), -1), candidates_(units()),
+          is_first_strip_(strip.is_first), is_last_strip_(strip.is_last), front_(beam_room(), kNoGround),
+          above_(beam_room(), 0.0f), below_(beam_room(), 0.0f), base_(beam_room(), -1), candidates_(units()),
           over_(wedge.heights.cells + 2 * kPadding, std::numeric_limits<float>::quiet_NaN()),
           over_before_(over_), lit_(over_.size())
     {
@@ -178,7 +178,8 @@ public:
     CellRange needed_cells(std::ptrdiff_t line) const
     {
         const double step = wedge_.distance(line) / beams_;
-        const double first = wedge_.centre(static_cast<double>(line)) + static_cast<double>(first_unit()) * step;
+        const double first =
+            wedge_.centre(static_cast<double>(line)) + static_cast<double>(first_unit()) * step;
         const double last = first + static_cast<double>(units()) * step;
         return clipped(first, last);
     }
@@ -290,7 +291,8 @@ private:
             const std::int64_t beam = first_unit() + static_cast<std::int64_t>(i);
             const auto old = static_cast<std::size_t>((beam >> 1) - old_first);
             const bool between = (beam & 1) != 0;
-            front_[i] = between ? old_front[old] + (old_front[old + 1] - old_front[old]) * 0.5f : old_front[old];
+            front_[i] =
+                between ? old_front[old] + (old_front[old + 1] - old_front[old]) * 0.5f : old_front[old];
             if (i == units())
                 break;
             above_[i] = old_above[old];
@@ -360,9 +362,10 @@ private:
         for (std::size_t unit = first_; unit < last_; ++unit) {
             const std::ptrdiff_t cell = cell_in(unit);
             if (holds_sample(unit) && is_own(cell))
-                answers[cell] = std::isnan(heights[cell])
-                                    ? std::numeric_limits<float>::quiet_NaN()
-                                    : shadow_height_as_float(shadow_by_candidates_m(unit, base_before_[unit]));
+                answers[cell] =
+                    std::isnan(heights[cell])
+                        ? std::numeric_limits<float>::quiet_NaN()
+                        : shadow_height_as_float(shadow_by_candidates_m(unit, base_before_[unit]));
         }
     }
 
@@ -379,8 +382,8 @@ private:
         const bool turned = ray.surface().counting().lines_turned;
         double shadow_m = kNothing;
         for (const std::uint32_t id : candidates) {
-            const auto of_grid =
-                static_cast<std::int64_t>(wedge_.index_of(static_cast<std::ptrdiff_t>(Candidate::number(id))));
+            const auto of_grid = static_cast<std::int64_t>(
+                wedge_.index_of(static_cast<std::ptrdiff_t>(Candidate::number(id))));
             const std::int64_t line = turned ? ray.surface().last_line() - of_grid : of_grid;
             if (!Candidate::is_between(id)) {
                 shadow_m = std::max(shadow_m, ray.shadow_of_line_m(line));
@@ -409,10 +412,9 @@ private:
         near = near_known ? near : sample;
         far = far_known ? far : sample;
         const float off_chord = holds ? sample - (near + (far - near) * place) : 0.0f;
-        const float rounding =
-            4.0f * kLampRounding
-            * (std::abs(near) + std::abs(far) + std::abs(sample) + seen(front_before_[unit])
-               + seen(front_before_[unit + 1]));
+        const float rounding = 4.0f * kLampRounding
+                               * (std::abs(near) + std::abs(far) + std::abs(sample)
+                                  + seen(front_before_[unit]) + seen(front_before_[unit + 1]));
         const float peak = std::max(off_chord, 0.0f) + rounding;
         const float notch = std::max(-off_chord, 0.0f) + rounding;
         const float over_near = near - front_before_[unit];
@@ -498,8 +500,8 @@ private:
                 add_line_across(cell);
             return;
         }
-        const auto lamp =
-            static_cast<std::ptrdiff_t>(std::clamp(std::floor(wedge_.lamp_cell) + 1.0, 0.0, static_cast<double>(cells)));
+        const auto lamp = static_cast<std::ptrdiff_t>(
+            std::clamp(std::floor(wedge_.lamp_cell) + 1.0, 0.0, static_cast<double>(cells)));
         add_lines_across({all.first, std::min(all.last, lamp)}, -1);
         add_lines_across({std::max(all.first, lamp), all.last}, 1);
     }
@@ -603,8 +605,8 @@ private:
         };
         const float rounding = 4.0f * kLampRounding
                                * (std::abs(static_cast<float>(piece.lower.height_m))
-                                  + std::abs(static_cast<float>(piece.upper.height_m)) + std::abs(front_[unit])
-                                  + std::abs(front_[unit + 1]));
+                                  + std::abs(static_cast<float>(piece.upper.height_m))
+                                  + std::abs(front_[unit]) + std::abs(front_[unit + 1]));
         const float over = std::max(over_chord(piece.lower), over_chord(piece.upper)) + rounding;
         if (over + below_[unit] <= 0.0f)
             return;
@@ -629,9 +631,8 @@ private:
             return wedge_.centre(of_line) + beam * (from_lamp / beams_);
         };
         const auto own = static_cast<double>(line);
-        const auto [least, most] =
-            std::minmax({place(own, number), place(own, number + 1.0), place(own - 1.0, number),
-                         place(own - 1.0, number + 1.0)});
+        const auto [least, most] = std::minmax({place(own, number), place(own, number + 1.0),
+                                                place(own - 1.0, number), place(own - 1.0, number + 1.0)});
         const auto last = static_cast<std::ptrdiff_t>(std::ceil(most));
         for (auto cell = static_cast<std::ptrdiff_t>(std::floor(least)); cell <= last; ++cell) {
             const Across across = within(line_across(line, cell), static_cast<double>(unit));
@@ -768,7 +769,8 @@ private:
 template <typename Answer>
 class LampStripWalk {
 public:
-    LampStripWalk(const LampCast& cast, const Wedge& wedge, const Strip& strip, const LightOrder<Answer>& answers)
+    LampStripWalk(const LampCast& cast, const Wedge& wedge, const Strip& strip,
+                  const LightOrder<Answer>& answers)
         : kernels_(cast.kernels), heights_(wedge.heights), answers_(answers), front_(cast, wedge, strip)
     {}
 
@@ -811,8 +813,8 @@ private:
                                   eastwards ? width : -width);
         for (std::size_t i = 0; i < lines; ++i) {
             const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * width - needed.first;
-            own_[i] =
-                front_.carry(first_line + static_cast<std::ptrdiff_t>(i), lines_m_.data() + at, turned_.data() + at);
+            own_[i] = front_.carry(first_line + static_cast<std::ptrdiff_t>(i), lines_m_.data() + at,
+                                   turned_.data() + at);
         }
         note_own_lines(lines, needed);
         turn_back(done, lines, needed);
@@ -849,14 +851,14 @@ private:
         }
     }
 
-    void transpose(const Lit* from, std::ptrdiff_t from_stride, std::size_t rows, std::size_t columns, Lit* to,
-                   std::ptrdiff_t to_stride) const
+    void transpose(const Lit* from, std::ptrdiff_t from_stride, std::size_t rows, std::size_t columns,
+                   Lit* to, std::ptrdiff_t to_stride) const
     {
         kernels_.transpose_bytes(reinterpret_cast<const std::uint8_t*>(from), from_stride, rows, columns,
                                  as_bytes(to), to_stride);
     }
-    void transpose(const float* from, std::ptrdiff_t from_stride, std::size_t rows, std::size_t columns, float* to,
-                   std::ptrdiff_t to_stride) const
+    void transpose(const float* from, std::ptrdiff_t from_stride, std::size_t rows, std::size_t columns,
+                   float* to, std::ptrdiff_t to_stride) const
     {
         kernels_.transpose_floats(from, from_stride, rows, columns, to, to_stride);
     }
@@ -1033,7 +1035,8 @@ ShadowMask cast_by_exact(const HeightField& field, const PointLight& light, cons
     return cast_all<Lit>(field, light, execution, kernels);
 }
 
-ShadowField shadow_heights_by_exact(const HeightField& field, const PointLight& light, const Execution& execution)
+ShadowField shadow_heights_by_exact(const HeightField& field, const PointLight& light,
+                                    const Execution& execution)
 {
     require_valid(field);
     require_valid(light);

@@ -38,7 +38,8 @@ inline void heights_over(const float* heights, std::size_t count, float high, fl
     const std::size_t lanes = hn::Lanes(d);
     std::size_t i = 0;
     for (; i + lanes <= count; i += lanes)
-        hn::StoreU(hn::Sub(hn::Sub(hn::LoadU(d, heights + i), hn::Set(d, high)), hn::Set(d, low)), d, over + i);
+        hn::StoreU(hn::Sub(hn::Sub(hn::LoadU(d, heights + i), hn::Set(d, high)), hn::Set(d, low)), d,
+                   over + i);
     for (; i < count; ++i)
         over[i] = (heights[i] - high) - low;
 }
@@ -86,8 +87,8 @@ HWY_INLINE std::size_t bracket_units(D d, const LampLine& line, std::size_t i, s
     const auto far = hn::LoadU(d, line.at + i + 1);
     const auto sample = hn::LoadU(d, line.next + i);
     const auto part = hn::LoadU(d, line.part + i);
-    const auto holds = hn::RebindMask(
-        d, hn::Gt(hn::LoadU(di, line.before + i + 1), hn::LoadU(di, line.before + i)));
+    const auto holds =
+        hn::RebindMask(d, hn::Gt(hn::LoadU(di, line.before + i + 1), hn::LoadU(di, line.before + i)));
     const auto place = hn::Min(hn::Mul(hn::Sub(one, part), hn::Set(d, line.beams_per_cell)), one);
     const auto straight = hn::Add(near, hn::Mul(hn::Sub(far, near), place));
     const auto off_chord = hn::IfThenElseZero(holds, hn::Sub(sample, straight));
@@ -125,7 +126,8 @@ HWY_INLINE std::size_t bracket_units(D d, const LampLine& line, std::size_t i, s
     hn::StoreU(hn::IfThenElse(replaces, hn::Add(peak, own_slack), above), d, line.above + i);
     hn::StoreU(hn::IfThenElse(replaces, hn::Add(notch, own_slack), below), d, line.below + i);
     const auto base = hn::LoadU(di, line.base + i);
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(di, replaces), hn::Set(di, line.number), base), di, line.base + i);
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(di, replaces), hn::Set(di, line.number), base), di,
+               line.base + i);
 
     const hn::Rebind<std::uint8_t, D> du8;
     const auto answer = hn::IfThenElse(hn::RebindMask(di, no_data), hn::Set(di, 255),
@@ -143,7 +145,8 @@ HWY_INLINE std::size_t bracket_units(D d, const LampLine& line, std::size_t i, s
     hn::Store(flags, di, each);
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
         if (each[lane] != 0)
-            line.open[found++] = {static_cast<std::uint32_t>(i + lane), static_cast<std::uint32_t>(each[lane])};
+            line.open[found++] = {static_cast<std::uint32_t>(i + lane),
+                                  static_cast<std::uint32_t>(each[lane])};
     return found;
 }
 
@@ -180,7 +183,8 @@ HWY_INLINE std::size_t rising(D d, const LampCells& cells, std::size_t i, std::s
     const auto outwards = hn::Mul(away, per_line_before);
     const auto inwards = hn::Mul(away, per_line);
     const auto here = hn::Mul(hn::LoadU(d, cells.over + i), per_line);
-    const auto outer = hn::Mul(hn::LoadU(d, cells.over + cells.outwards + static_cast<std::ptrdiff_t>(i)), per_line);
+    const auto outer =
+        hn::Mul(hn::LoadU(d, cells.over + cells.outwards + static_cast<std::ptrdiff_t>(i)), per_line);
     const auto before = hn::Mul(hn::LoadU(d, cells.over_before + i), per_line_before);
     const auto inner = hn::Mul(
         hn::LoadU(d, cells.over_before - cells.outwards + static_cast<std::ptrdiff_t>(i)), per_line_before);
