@@ -17,16 +17,21 @@ double usual_coefficient(const GroundFrame& ground)
 
 } // namespace
 
+ReadOptions read_options(const InputOptions& options, const RunOptions& run)
+{
+    return {.band = options.band,
+            .open_options = options.open_options,
+            .z_factor = options.z_factor,
+            .metres_per_unit = options.metres_per_z_unit,
+            .cell_size_m = options.cell_size_m,
+            .no_data = options.no_data,
+            .threads = run.threads};
+}
+
 HeightFile open_heights(const InputOptions& options, const RunOptions& run, Report& report)
 {
     prepare_gdal_for_program();
-    HeightFile file(options.path, {.band = options.band,
-                                   .open_options = options.open_options,
-                                   .z_factor = options.z_factor,
-                                   .metres_per_unit = options.metres_per_z_unit,
-                                   .cell_size_m = options.cell_size_m,
-                                   .no_data = options.no_data,
-                                   .threads = run.threads});
+    HeightFile file(options.path, read_options(options, run));
     for (const std::string& text : file.facts().notes)
         report.note(text);
     for (const std::string& text : file.facts().warnings)

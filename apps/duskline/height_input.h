@@ -9,6 +9,9 @@
 
 namespace duskline::cli {
 
+/// How the options say INPUT is to be read.
+ReadOptions read_options(const InputOptions& options, const RunOptions& run);
+
 /// Opens INPUT as the options say. What was assumed goes into the report.
 HeightFile open_heights(const InputOptions& options, const RunOptions& run, Report& report);
 

@@ -28,6 +28,17 @@ RasterTags light_tags(const ChosenLight& chosen, const HeightFile& file)
     return tags;
 }
 
+RasterTags lamp_tags(const std::vector<ChosenLamp>& lamps)
+{
+    std::string points;
+    for (const ChosenLamp& lamp : lamps)
+        points += (points.empty() ? "" : "; ") + in_words(lamp);
+    RasterTags tags;
+    add_tag(tags, "SOFTWARE", "duskline " DUSKLINE_VERSION);
+    add_tag(tags, "LIGHT_POINTS", std::move(points));
+    return tags;
+}
+
 void add_height_tags(RasterTags& tags, const HeightFile& file, const EarthCurvature& curvature)
 {
     const HeightFileFacts& facts = file.facts();

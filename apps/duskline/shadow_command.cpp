@@ -3,6 +3,7 @@
 #include "exit_code.h"
 #include "height_input.h"
 #include "help_page.h"
+#include "lamp_options.h"
 #include "light_options.h"
 #include "output_options.h"
 #include "progress_bar.h"
@@ -14,11 +15,14 @@
 #include "shadow_job.h"
 #include "stopwatch.h"
 
+#include <duskline/casting/lamps.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 namespace duskline::cli {
 namespace {
@@ -27,6 +31,7 @@ struct ShadowOptions {
     InputOptions input;
     OutputOptions output;
     LightOptions light;
+    LampOptions lamps;
     std::string caster; // empty: the default
     bool heights = false;
     bool classes = false;
@@ -34,39 +39,72 @@ struct ShadowOptions {
     RunOptions run;
 };
 
+// The sun or whatever light is as far away, or else lamps.
+struct ShadowLight {
+    ChosenLight sun;
+    std::vector<ChosenLamp> lamps;
+};
+
 ShadowResult chosen_result(const ShadowOptions& options)
 {
     if (options.heights)
         return ShadowResult::heights;
+    if (options.lamps.count)
+        return ShadowResult::lamp_count;
     return options.classes ? ShadowResult::classes : ShadowResult::mask;
 }
 
-std::string encoding_in_words(ShadowResult result, const MaskCodes& codes, const HeightFileFacts& facts)
+std::string encoding_in_words(ShadowResult result, const MaskCodes& codes, const HeightFileFacts& facts,
+                              const ShadowLight& light)
 {
     switch (result) {
     case ShadowResult::heights:
-        return fmt::format("height a point needs to be in the sun, {}; -9999 no data", facts.height_unit);
+        return fmt::format("height a point needs to be in the {}, {}; -9999 no data",
+                           light.lamps.empty() ? "sun" : "light", facts.height_unit);
+    case ShadowResult::lamp_count:
+        return "how many lamps light the cell; 255 no data";
     case ShadowResult::classes:
         return "0 lit, 1 self-shaded, 2 cast shadow, 255 no data";
     case ShadowResult::mask:
         break;
     }
-    return in_words(codes);
+    return in_words(codes) + (light.lamps.size() > 1 ? "; lit is what at least one lamp lights" : "");
 }
 
-std::string band_description(ShadowResult result, const ChosenLight& chosen)
+const char* name_of(ShadowResult result)
 {
-    const std::string light = chosen.time
-                                  ? to_iso8601(*chosen.time)
-                                  : fmt::format("azimuth {:g}, altitude {:g}", chosen.light.azimuth.degrees(),
-                                                chosen.light.altitude.degrees());
-    const char* what = result == ShadowResult::heights   ? "shadow height"
-                       : result == ShadowResult::classes ? "shadow class"
-                                                         : "sunlit";
-    return fmt::format("{} {}", what, light);
+    switch (result) {
+    case ShadowResult::heights:
+        return "shadow height";
+    case ShadowResult::classes:
+        return "shadow class";
+    case ShadowResult::lamp_count:
+        return "lamps that light";
+    case ShadowResult::mask:
+        break;
+    }
+    return "lit";
 }
 
-RasterContent content_of(const ShadowOptions& options, const HeightFile& file, const ChosenLight& chosen,
+std::string lamps_in_words(const std::vector<ChosenLamp>& lamps)
+{
+    return lamps.size() == 1 ? "lamp at " + in_words(lamps.front()) : fmt::format("{} lamps", lamps.size());
+}
+
+std::string band_description(ShadowResult result, const ShadowLight& light)
+{
+    if (!light.lamps.empty())
+        return fmt::format("{}, {}", name_of(result), lamps_in_words(light.lamps));
+    const ChosenLight& chosen = light.sun;
+    const std::string from = chosen.time
+                                 ? to_iso8601(*chosen.time)
+                                 : fmt::format("azimuth {:g}, altitude {:g}", chosen.light.azimuth.degrees(),
+                                               chosen.light.altitude.degrees());
+    const char* what = result == ShadowResult::mask ? "sunlit" : name_of(result);
+    return fmt::format("{} {}", what, from);
+}
+
+RasterContent content_of(const ShadowOptions& options, const HeightFile& file, const ShadowLight& light,
                          const EarthCurvature& curvature, const Caster& caster, const MaskCodes& codes,
                          const Report& report)
 {
@@ -74,15 +112,15 @@ RasterContent content_of(const ShadowOptions& options, const HeightFile& file, c
     RasterContent content;
     content.samples = result == ShadowResult::heights ? Samples::real : Samples::byte;
     content.classes = result != ShadowResult::heights;
-    content.no_data = result == ShadowResult::heights   ? static_cast<double>(kNoHeight)
-                      : result == ShadowResult::classes ? 255.0
-                                                        : static_cast<double>(codes.no_data);
-    content.description = band_description(result, chosen);
+    content.no_data = result == ShadowResult::heights ? static_cast<double>(kNoHeight)
+                      : result == ShadowResult::mask  ? static_cast<double>(codes.no_data)
+                                                      : 255.0;
+    content.description = band_description(result, light);
     if (result == ShadowResult::heights)
         content.unit = file.facts().metres_per_unit == 1.0 ? "m" : file.facts().height_unit;
-    content.tags = light_tags(chosen, file);
+    content.tags = light.lamps.empty() ? light_tags(light.sun, file) : lamp_tags(light.lamps);
     add_tag(content.tags, "CASTER", std::string(caster.name));
-    add_tag(content.tags, "ENCODING", encoding_in_words(result, codes, file.facts()));
+    add_tag(content.tags, "ENCODING", encoding_in_words(result, codes, file.facts(), light));
     add_height_tags(content.tags, file, curvature);
     add_assumptions(content.tags, report);
     return content;
@@ -118,14 +156,26 @@ void report_outcome(const ShadowOptions& options, const ShadowOutcome& outcome, 
             outcome.reading_s + outcome.casting_s + outcome.writing_s > total_s ? ", at the same time" : ""));
 }
 
-void report_light(const ChosenLight& chosen, const EarthCurvature& curvature, const HeightFile& file,
-                  Report& report)
+void report_sun(const ChosenLight& chosen, const HeightFile& file, Report& report)
 {
     const Angle from_map_north = wrapped_to_circle(chosen.light.azimuth + file.ground().grid_north);
     report.field("azimuth_deg", from_map_north.degrees());
     report.field("altitude_deg", chosen.light.altitude.degrees());
     if (chosen.time)
         report.field("time_utc", to_iso8601({chosen.time->utc}));
+}
+
+void report_light(const ShadowLight& light, const EarthCurvature& curvature, const HeightFile& file,
+                  Report& report)
+{
+    if (light.lamps.empty())
+        report_sun(light.sun, file, report);
+    for (const ChosenLamp& lamp : light.lamps)
+        report.json()["lamps"].push_back({{"x", lamp.x},
+                                          {"y", lamp.y},
+                                          {"height_m", lamp.height_m},
+                                          {"row", lamp.light.position.row},
+                                          {"column", lamp.light.position.column}});
     report.field("curvature", curvature.coefficient);
     report.json()["cell_size_m"] = {file.ground().cell_size_m.x, file.ground().cell_size_m.y};
 }
@@ -134,14 +184,42 @@ void report_light(const ChosenLight& chosen, const EarthCurvature& curvature, co
 // but what can be done does not depend on which caster is the default.
 void require_memory_for(const ShadowOptions& options, const HeightFile& file, const Caster& caster)
 {
-    const bool asked_to_stream = !options.caster.empty() && can_stream(caster, chosen_result(options));
+    const bool asked_to_stream =
+        !options.caster.empty() && !options.lamps.given() && can_stream(caster, chosen_result(options));
     if (!asked_to_stream)
-        require_memory_for_whole(file, chosen_result(options));
+        require_memory_for_whole(file, chosen_result(options), options.lamps.points.size());
 }
 
 ShadowOutcome cast_shadows(const ShadowJob& job)
 {
-    return can_stream(job.caster, job.result) ? cast_in_stream(job) : cast_whole(job);
+    return job.lamps.empty() && can_stream(job.caster, job.result) ? cast_in_stream(job) : cast_whole(job);
+}
+
+void require_possible(const ShadowOptions& options, const Caster& caster)
+{
+    require_lamps_or_sun(options.lamps, options.light);
+    if (!options.lamps.given())
+        return;
+    if (options.classes)
+        throw UsageError(
+            "--classes are of parallel light: give --azimuth and --altitude, or --time, not --point");
+    require_takes_lamps(caster);
+}
+
+ShadowLight choose(const ShadowOptions& options, const HeightFile& file, const EarthCurvature& curvature,
+                   Report& report)
+{
+    if (options.lamps.given())
+        return {{}, choose_lamps(options.lamps, options.input, options.run, file, curvature, report)};
+    return {choose_light(options.light, light_site(file.ground()), report), {}};
+}
+
+std::vector<PointLight> as_casters_take_them(const std::vector<ChosenLamp>& lamps)
+{
+    std::vector<PointLight> lights;
+    for (const ChosenLamp& lamp : lamps)
+        lights.push_back(lamp.light);
+    return lights;
 }
 
 void run_shadow(const ShadowOptions& options)
@@ -151,6 +229,7 @@ void run_shadow(const ShadowOptions& options)
     ProgressBar bar(options.run);
     ShadowOutcome outcome;
     const Caster& caster = chosen_caster(options.caster);
+    require_possible(options, caster);
     {
         const Stopwatch watch(total_s);
         const WriteOptions write = write_options(options.output, options.run);
@@ -158,15 +237,16 @@ void run_shadow(const ShadowOptions& options)
         const MaskCodes codes = choose_mask_codes(options.codes, is_picture_format(format));
         HeightFile file = open_heights(options.input, options.run, report);
         require_memory_for(options, file, caster);
-        const ChosenLight chosen = choose_light(options.light, light_site(file.ground()), report);
         const EarthCurvature curvature = choose_curvature(options.input, file, report);
-        report_light(chosen, curvature, file, report);
+        const ShadowLight light = choose(options, file, curvature, report);
+        report_light(light, curvature, file, report);
         RasterWriter writer(options.output.path, file,
-                            content_of(options, file, chosen, curvature, caster, codes, report), write);
+                            content_of(options, file, light, curvature, caster, codes, report), write);
         outcome =
             cast_shadows({.file = file,
                           .writer = writer,
-                          .light = chosen.light,
+                          .light = light.sun.light,
+                          .lamps = as_casters_take_them(light.lamps),
                           .curvature = curvature,
                           .caster = caster,
                           .result = chosen_result(options),
@@ -189,6 +269,8 @@ void add_result_options(CLI::App& app, ShadowOptions& options)
         app.add_flag("--classes", options.classes,
                      "write 0 lit, 1 self-shaded (its slope looks away), 2 cast shadow, 255 no data");
     heights->excludes(classes)->group("Output");
+    classes->excludes(app.get_option("--count"));
+    heights->excludes(app.get_option("--count"));
     classes->group("Output");
     add_mask_code_options(app, options.codes);
 }
@@ -201,6 +283,7 @@ Run declare_shadow(CLI::App& app)
     add_input_options(app, options->input);
     add_output_options(app, options->output);
     add_light_options(app, options->light);
+    add_lamp_options(app, options->lamps);
     add_result_options(app, *options);
     add_caster_option(app, options->caster);
     add_run_options(app, options->run);
@@ -212,6 +295,8 @@ Run declare_shadow(CLI::App& app)
                 "duskline shadow dem.tif shadow.tif --time 2026-06-21T18:30-10:00");
     add_example(app, "a light in the north-west, 20 degrees high",
                 "duskline shadow dem.tif shadow.png --azimuth 315 --altitude 20");
+    add_example(app, "what a lamp 30 m above the ground and a beacon 4250 m high light",
+                "duskline shadow dem.tif lit.tif --point 243500,2193200,+30 --point 240000,2190000,4250");
     add_example(app, "how high a mast must be to stand in the sun",
                 "duskline shadow dem.tif heights.tif --heights --azimuth 180 --altitude 8");
     return [options] { run_shadow(*options); };

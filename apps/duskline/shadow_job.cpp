@@ -2,6 +2,7 @@
 
 #include "stopwatch.h"
 
+#include <duskline/casting/lamps.h>
 #include <duskline/products/shadow_classes.h>
 #include <duskline/raster_io/memory_need.h>
 
@@ -50,12 +51,43 @@ void write_in_bands(const ShadowJob& job, Grid<T>& values, double& seconds, cons
     }
 }
 
+ShadowMask cast_mask(const ShadowJob& job, const Terrain& terrain)
+{
+    const Execution execution = with_progress(job, 0.2, 0.9);
+    switch (job.lamps.size()) {
+    case 0:
+        return job.caster.cast(terrain, job.light, execution);
+    case 1:
+        return cast_lamp(job.caster, terrain, job.lamps.front(), execution);
+    default:
+        return lit_by_any(job.caster, terrain, job.lamps, execution);
+    }
+}
+
+// How many lamps light each cell; a cell that none does is in shadow.
+void count_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& outcome)
+{
+    Grid<std::uint8_t> counts(terrain.heights_m.rows(), terrain.heights_m.columns());
+    {
+        const Stopwatch watch(outcome.casting_s);
+        const auto each = count_lamps(job.caster, terrain, job.lamps, with_progress(job, 0.2, 0.9));
+        for (std::size_t i = 0; i < each.size(); ++i) {
+            const std::uint16_t count = each.values()[i];
+            outcome.count.no_data += count == kNoLampCount ? 1U : 0U;
+            outcome.count.shadow += count == 0 ? 1U : 0U;
+            outcome.count.lit += count != 0 && count != kNoLampCount ? 1U : 0U;
+            counts.values()[i] = static_cast<std::uint8_t>(count == kNoLampCount ? 255U : count);
+        }
+    }
+    write_in_bands(job, counts, outcome.writing_s, [](std::size_t, GridView<std::uint8_t>) {});
+}
+
 void mask_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& outcome)
 {
     ShadowMask mask;
     {
         const Stopwatch watch(outcome.casting_s);
-        mask = job.caster.cast(terrain, job.light, with_progress(job, 0.2, 0.9));
+        mask = cast_mask(job, terrain);
         count_into(outcome.count, mask.view());
     }
     if (job.result == ShadowResult::mask)
@@ -73,7 +105,9 @@ void heights_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& 
     ShadowField shadows;
     {
         const Stopwatch watch(outcome.casting_s);
-        shadows = job.caster.shadow_heights(terrain, job.light, with_progress(job, 0.2, 0.9));
+        const Execution execution = with_progress(job, 0.2, 0.9);
+        shadows = job.lamps.empty() ? job.caster.shadow_heights(terrain, job.light, execution)
+                                    : shadow_heights_of_any(job.caster, terrain, job.lamps, execution);
         count_into(outcome.count, terrain.heights_m.view(), shadows.view());
     }
     // The file's own heights are read once more, band by band: keeping them would take as much memory again.
@@ -87,24 +121,27 @@ void heights_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& 
     });
 }
 
-double bytes_per_cell(ShadowResult result)
+double bytes_per_cell(ShadowResult result, std::size_t lamps)
 {
+    const double more = lamps > 1 ? 1.0 : 0.0; // the answers for one lamp beside those for all so far
     switch (result) {
+    case ShadowResult::lamp_count:
+        return sizeof(float) + 4.0;
     case ShadowResult::classes:
         return sizeof(float) + 3.0;
     case ShadowResult::heights:
-        return 2.0 * sizeof(float);
+        return (2.0 + more) * sizeof(float);
     case ShadowResult::mask:
         break;
     }
-    return sizeof(float) + 1.0;
+    return sizeof(float) + 1.0 + more;
 }
 
 } // namespace
 
-void require_memory_for_whole(const HeightFile& file, ShadowResult result)
+void require_memory_for_whole(const HeightFile& file, ShadowResult result, std::size_t lamps)
 {
-    require_memory(file.rows(), file.columns(), bytes_per_cell(result), "'" + file.facts().path + "'");
+    require_memory(file.rows(), file.columns(), bytes_per_cell(result, lamps), "'" + file.facts().path + "'");
 }
 
 ShadowOutcome cast_whole(const ShadowJob& job)
@@ -113,6 +150,8 @@ ShadowOutcome cast_whole(const ShadowJob& job)
     const Terrain terrain = lowered_terrain(job, outcome.reading_s);
     if (job.result == ShadowResult::heights)
         heights_whole(job, terrain, outcome);
+    else if (job.result == ShadowResult::lamp_count)
+        count_whole(job, terrain, outcome);
     else
         mask_whole(job, terrain, outcome);
     return outcome;

@@ -5,16 +5,18 @@
 #include <duskline/casting/casters.h>
 #include <duskline/execution/progress.h>
 #include <duskline/light/directional_light.h>
+#include <duskline/light/point_light.h>
 #include <duskline/raster_io/raster_writer.h>
 #include <duskline/raster_io/read_height_field.h>
 #include <duskline/terrain/earth_curvature.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace duskline::cli {
 
 /// What `duskline shadow` writes.
-enum class ShadowResult { mask, classes, heights };
+enum class ShadowResult { mask, classes, heights, lamp_count };
 
 /// Written for cells without data in a raster of shadow heights.
 constexpr float kNoHeight = -9999.0f;
@@ -24,6 +26,7 @@ struct ShadowJob {
     HeightFile& file;
     RasterWriter& writer;
     DirectionalLight light;
+    std::vector<PointLight> lamps; ///< instead of `light`, unless there are none
     EarthCurvature curvature;
     const Caster& caster;
     ShadowResult result = ShadowResult::mask;
@@ -39,7 +42,7 @@ struct ShadowOutcome {
 };
 
 /// Throws UnsupportedOnThisMachine when `cast_whole` needs more memory than there is.
-void require_memory_for_whole(const HeightFile& file, ShadowResult result);
+void require_memory_for_whole(const HeightFile& file, ShadowResult result, std::size_t lamps);
 
 /// Reads all heights, casts, writes. Every caster and result. Throws what reading, casting and writing throw.
 ShadowOutcome cast_whole(const ShadowJob& job);

@@ -8,18 +8,6 @@ namespace duskline {
 
 namespace {
 
-void require_takes_lamps(const Caster& caster)
-{
-    if (caster.cast_lamp != nullptr)
-        return;
-    std::string names;
-    for (const Caster& other : kCasters)
-        if (other.cast_lamp != nullptr)
-            names += (names.empty() ? "" : ", ") + std::string(other.name);
-    throw InvalidInput("the caster '" + std::string(caster.name)
-                       + "' takes no point lights; these do: " + names);
-}
-
 // The share of the progress that lamp i of `count` has.
 Execution part_of(const Execution& execution, std::size_t i, std::size_t count)
 {
@@ -45,6 +33,18 @@ void for_each_lamp(const Caster& caster, const HeightField& field, std::span<con
 }
 
 } // namespace
+
+void require_takes_lamps(const Caster& caster)
+{
+    if (caster.cast_lamp != nullptr)
+        return;
+    std::string names;
+    for (const Caster& other : kCasters)
+        if (other.cast_lamp != nullptr)
+            names += (names.empty() ? "" : ", ") + std::string(other.name);
+    throw InvalidInput("the caster '" + std::string(caster.name)
+                       + "' takes no point lights; these do: " + names);
+}
 
 ShadowMask cast_lamp(const Caster& caster, const HeightField& field, const PointLight& lamp,
                      const Execution& execution)

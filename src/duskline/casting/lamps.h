@@ -12,6 +12,9 @@ namespace duskline {
 // included; throw InvalidInput for a caster that takes no lamps, naming those that do, and for a lamp out of range;
 // and Cancelled. Cost: a cast for every lamp, one after the other, and memory for two answers at a time.
 
+/// Throws InvalidInput for a caster that takes no lamps, naming those that do.
+void require_takes_lamps(const Caster& caster);
+
 /// The mask of one lamp, by that caster.
 ShadowMask cast_lamp(const Caster& caster, const HeightField& field, const PointLight& lamp,
                      const Execution& execution = {});
