@@ -51,7 +51,8 @@ TEST_P(LampCasters, HaveAnAnswerForAnyGrid)
         terrain.heights_m(rows / 2, columns / 2) = 4.0f;
         for (const GridPoint place :
              {GridPoint{0.0, 0.0, 3.0}, GridPoint{0.0, 4.0, 9.0}, GridPoint{-2.0, 0.5, 2.0},
-              GridPoint{0.5, 100.0, 3.0}, GridPoint{4.0, 0.0, 3.5}})
+              GridPoint{0.5, 100.0, 3.0}, GridPoint{4.0, 0.0, 3.5}, GridPoint{4e15, -3e15, 3e15},
+              GridPoint{-4503599627370496.0, 0.0, 1.0}})
             EXPECT_TRUE(same_mask(cast_lamp(caster, terrain, PointLight{place}),
                                   cast_by_ray(terrain, PointLight{place})))
                 << rows << " x " << columns << ", lamp at " << place.row << ", " << place.column;

@@ -810,7 +810,7 @@ private:
                                   + needed.first * heights_.cell_step;
         kernels_.transpose_floats(from, heights_.cell_step, needed.size(), lines,
                                   lines_m_.data() + static_cast<std::ptrdiff_t>(lowest) * width,
-                                  eastwards ? width : -width);
+                                  eastwards ? width : -width, kernels::RowsFirst::read);
         for (std::size_t i = 0; i < lines; ++i) {
             const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * width - needed.first;
             own_[i] = front_.carry(first_line + static_cast<std::ptrdiff_t>(i), lines_m_.data() + at,
@@ -855,12 +855,13 @@ private:
                    Lit* to, std::ptrdiff_t to_stride) const
     {
         kernels_.transpose_bytes(reinterpret_cast<const std::uint8_t*>(from), from_stride, rows, columns,
-                                 as_bytes(to), to_stride);
+                                 as_bytes(to), to_stride, kernels::RowsFirst::written);
     }
     void transpose(const float* from, std::ptrdiff_t from_stride, std::size_t rows, std::size_t columns,
                    float* to, std::ptrdiff_t to_stride) const
     {
-        kernels_.transpose_floats(from, from_stride, rows, columns, to, to_stride);
+        kernels_.transpose_floats(from, from_stride, rows, columns, to, to_stride,
+                                  kernels::RowsFirst::written);
     }
 
     const Kernels& kernels_;
