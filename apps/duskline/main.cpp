@@ -94,7 +94,7 @@ const CLI::App& chosen(const CommandLine& line)
 // What CLI11 says about the number of values, as one would say it: "--azimuth: 1 required DEG missing".
 std::string in_plain_words(const CLI::ParseError& error)
 {
-    const std::string text = error.what();
+    std::string text = error.what();
     const std::size_t colon = text.find(':');
     const bool counts_values = error.get_name() == "ArgumentMismatch" && colon != std::string::npos;
     if (counts_values && text.ends_with("missing"))
