@@ -13,7 +13,7 @@ add_test(NAME bench_table COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DI
 add_test(NAME compare_masks COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/compare_masks_test.py)
 set_tests_properties(layers layers_self_test docs docs_self_test bench_table compare_masks PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
-# 77 says that clang-format is not here. clang-tidy takes a minute and more: .ci/run calls it.
+# 77 says that clang-format is not here. clang-tidy takes some minutes: .ci/run calls it.
 add_test(NAME format COMMAND ${PROJECT_SOURCE_DIR}/tools/check_format.sh)
 set_tests_properties(format PROPERTIES SKIP_RETURN_CODE 77)
 
