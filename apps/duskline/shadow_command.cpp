@@ -217,6 +217,7 @@ ShadowLight choose(const ShadowOptions& options, const HeightFile& file, const E
 std::vector<PointLight> as_casters_take_them(const std::vector<ChosenLamp>& lamps)
 {
     std::vector<PointLight> lights;
+    lights.reserve(lamps.size());
     for (const ChosenLamp& lamp : lamps)
         lights.push_back(lamp.light);
     return lights;
