@@ -59,6 +59,12 @@ shrink "$scratch/mask.png" hawaii_mask.png PNG
 draw hawaii_shadow_heights.jpg "$scratch/heights.tif" --palette atlas --flat --exaggeration 3 \
     --azimuth 315 --altitude 60 --size 640
 
+"$duskline" shadow $hawaii "$scratch/beacons.tif" --count --point 241312.5,2193787.5,+30 \
+    --point 226387.5,2155387.5,+30 --quiet
+gdal_translate -q -of PNG -ot Byte -outsize 640 640 -r average -scale 0 2 20 255 "$scratch/beacons.tif" \
+    $gallery/hawaii_beacons.png --config GDAL_PAM_ENABLED NO
+echo $gallery/hawaii_beacons.png
+
 project fuji.tif "$terrains/fuji/mt_fuji_90m.tif" -t_srs EPSG:32654 -te 257000 3880500 315000 3938500 \
     -tr 75 75 -r average
 draw fuji.jpg "$scratch/fuji.tif" --time 2026-12-21T15:50+09:00 --size 640
