@@ -5,6 +5,7 @@
 #include "help_page.h"
 #include "lamp_options.h"
 #include "light_options.h"
+#include "option_values.h"
 #include "output_options.h"
 #include "progress_bar.h"
 #include "raster_site.h"
@@ -16,12 +17,14 @@
 #include "stopwatch.h"
 
 #include <duskline/casting/lamps.h>
+#include <duskline/execution/available_memory.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace duskline::cli {
@@ -36,6 +39,7 @@ struct ShadowOptions {
     bool heights = false;
     bool classes = false;
     MaskCodeOptions codes;
+    std::optional<double> memory_mib;
     RunOptions run;
 };
 
@@ -180,19 +184,44 @@ void report_light(const ShadowLight& light, const EarthCurvature& curvature, con
     report.json()["cell_size_m"] = {file.ground().cell_size_m.x, file.ground().cell_size_m.y};
 }
 
-// A sweep that was asked for goes through files of any size, a slab at a time. Without being asked it does so too,
-// but what can be done does not depend on which caster is the default.
-void require_memory_for(const ShadowOptions& options, const HeightFile& file, const Caster& caster)
+// How to go about it.
+enum class Way { stream, whole, windows };
+struct Plan {
+    Way way = Way::whole;
+    std::size_t memory_bytes = 0; // for windows
+};
+
+// Of all free memory what fits may take all, what does not half of it.
+Plan plan_for(const ShadowOptions& options, const HeightFile& file, const Caster& caster)
 {
-    const bool asked_to_stream =
-        !options.caster.empty() && !options.lamps.given() && can_stream(caster, chosen_result(options));
-    if (!asked_to_stream)
-        require_memory_for_whole(file, chosen_result(options), options.lamps.points.size());
+    const ShadowResult result = chosen_result(options);
+    if (options.lamps.given()) {
+        require_memory_for_whole(file, result, options.lamps.points.size());
+        return {};
+    }
+    if (can_stream(caster, result))
+        return {.way = Way::stream};
+    const auto free_bytes = static_cast<double>(available_memory_bytes());
+    const double most_bytes =
+        options.memory_mib ? std::min(*options.memory_mib * 1024.0 * 1024.0, free_bytes) : free_bytes;
+    const double needed_bytes =
+        static_cast<double>(file.rows()) * static_cast<double>(file.columns()) * bytes_per_cell(result, 0);
+    if (needed_bytes <= most_bytes)
+        return {};
+    return {Way::windows, static_cast<std::size_t>(options.memory_mib ? most_bytes : most_bytes / 2.0)};
 }
 
-ShadowOutcome cast_shadows(const ShadowJob& job)
+ShadowOutcome cast_shadows(const ShadowJob& job, Way way)
 {
-    return job.lamps.empty() && can_stream(job.caster, job.result) ? cast_in_stream(job) : cast_whole(job);
+    switch (way) {
+    case Way::stream:
+        return cast_in_stream(job);
+    case Way::windows:
+        return cast_in_windows(job);
+    case Way::whole:
+        break;
+    }
+    return cast_whole(job);
 }
 
 void require_possible(const ShadowOptions& options, const Caster& caster)
@@ -237,10 +266,13 @@ void run_shadow(const ShadowOptions& options)
         const std::string format = output_format(options.output.path, write);
         const MaskCodes codes = choose_mask_codes(options.codes, is_picture_format(format));
         HeightFile file = open_heights(options.input, options.run, report);
-        require_memory_for(options, file, caster);
+        const Plan plan = plan_for(options, file, caster);
         const EarthCurvature curvature = choose_curvature(options.input, file, report);
         const ShadowLight light = choose(options, file, curvature, report);
         report_light(light, curvature, file, report);
+        if (plan.way == Way::windows)
+            require_memory_for_windows(file, light.sun.light, chosen_result(options),
+                                       static_cast<double>(plan.memory_bytes));
         RasterWriter writer(options.output.path, file,
                             content_of(options, file, light, curvature, caster, codes, report), write);
         outcome =
@@ -252,7 +284,11 @@ void run_shadow(const ShadowOptions& options)
                           .caster = caster,
                           .result = chosen_result(options),
                           .codes = codes,
-                          .execution = {.threads = options.run.threads, .progress = bar.part(0.0, 0.95)}});
+                          .execution = {.threads = options.run.threads, .progress = bar.part(0.0, 0.95)},
+                          .memory_bytes = plan.memory_bytes},
+                         plan.way);
+        if (plan.way == Way::windows)
+            report.note("too large for memory: cast in windows, each with the ground that shades it");
         writer.finish(bar.part(0.95, 1.0));
         bar.part(0.95, 1.0)(1.0);
         report_reading(file, report);
@@ -288,6 +324,15 @@ Run declare_shadow(CLI::App& app)
     add_result_options(app, *options);
     add_caster_option(app, options->caster);
     add_run_options(app, options->run);
+    add_number(
+        app,
+        {.names = "--memory",
+         .unit = "MIB",
+         .text = "memory for heights and answers; rasters that need more are cast in windows, with the same "
+                 "result; else what is free",
+         .range = {.least = 0.0, .above = true}},
+        options->memory_mib)
+        ->group("Running");
     add_details(
         app, "OUTPUT has the grid of INPUT: its size, coordinate system and geotransform. A mask says 0 in "
              "the shadow, 1 in the light and 255 where there is no data; in pictures (PNG, JPEG) 0, 255 "

@@ -121,6 +121,8 @@ void heights_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& 
     });
 }
 
+} // namespace
+
 double bytes_per_cell(ShadowResult result, std::size_t lamps)
 {
     const double more = lamps > 1 ? 1.0 : 0.0; // the answers for one lamp beside those for all so far
@@ -136,8 +138,6 @@ double bytes_per_cell(ShadowResult result, std::size_t lamps)
     }
     return sizeof(float) + 1.0 + more;
 }
-
-} // namespace
 
 void require_memory_for_whole(const HeightFile& file, ShadowResult result, std::size_t lamps)
 {

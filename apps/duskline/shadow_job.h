@@ -32,6 +32,7 @@ struct ShadowJob {
     ShadowResult result = ShadowResult::mask;
     MaskCodes codes;
     Execution execution;
+    std::size_t memory_bytes = 0; ///< that `cast_in_windows` may take, about
 };
 
 struct ShadowOutcome {
@@ -40,6 +41,9 @@ struct ShadowOutcome {
     double casting_s = 0.0;
     double writing_s = 0.0;
 };
+
+/// Memory that such a result and its heights take, a cell.
+double bytes_per_cell(ShadowResult result, std::size_t lamps);
 
 /// Throws UnsupportedOnThisMachine when `cast_whole` needs more memory than there is.
 void require_memory_for_whole(const HeightFile& file, ShadowResult result, std::size_t lamps);
@@ -53,6 +57,15 @@ bool can_stream(const Caster& caster, ShadowResult result);
 /// Sweeps the file from block to block in the order the light meets them, reading, sweeping and writing at the
 /// same time. Needs memory for a few blocks of lines only. The same bytes as `cast_whole`.
 ShadowOutcome cast_in_stream(const ShadowJob& job);
+
+/// Throws UnsupportedOnThisMachine when not even the smallest window fits. For before anything is read or made.
+void require_memory_for_windows(const HeightFile& file, const DirectionalLight& light, ShadowResult result,
+                                double memory_bytes);
+
+/// Casts `light` window by window, each with the ground that can shade it, so that what is in memory at a time fits
+/// `memory_bytes`. Every caster and result but lamps. The same bytes as `cast_whole`; the file is read twice and
+/// more. Throws UnsupportedOnThisMachine when shadows are so long that a single slab needs more.
+ShadowOutcome cast_in_windows(const ShadowJob& job);
 
 /// Shadow heights as they are written, where those that were cast are: at least the ground, in the file's unit
 /// and counted from its zero, the earth's curvature put back. `ground_m` are the lowered heights they were cast

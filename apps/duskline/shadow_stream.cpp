@@ -9,6 +9,7 @@
 //
 // The front (sweep.h) is all that passes from one slab to the next.
 
+#include "light_slabs.h"
 #include "shadow_job.h"
 #include "stopwatch.h"
 
@@ -18,47 +19,16 @@
 #include <duskline/raster_io/memory_need.h>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <type_traits>
 
 namespace duskline::cli {
 namespace {
 
-constexpr std::size_t kLeastLines = 256;
 constexpr std::size_t kSlabsInFlight = 4;
 
 // Columns lie apart by a power of two in many rasters, which caches dislike; a little more does them good.
 constexpr std::size_t kPadding = 16;
-
-// Neighbouring rows, or columns.
-struct Slab {
-    std::size_t first = 0;
-    std::size_t count = 0;
-};
-
-// Lines of a slab: whole blocks of input and output where that is possible without taking very many.
-std::size_t slab_lines(std::size_t input_block, std::size_t output_block)
-{
-    const std::size_t larger = std::max(input_block, output_block);
-    const std::size_t both = std::lcm(input_block, output_block);
-    const std::size_t step = both <= 4 * larger ? both : larger;
-    return (kLeastLines + step - 1) / step * step;
-}
-
-// All lines in slabs that begin at multiples of `at_once` in the file's order, in the order of the light.
-std::vector<Slab> slabs_in_light_order(std::size_t lines, std::size_t at_once, bool file_is_flipped,
-                                       bool first_is_index_0)
-{
-    std::vector<Slab> slabs;
-    for (std::size_t first = 0; first < lines; first += at_once) {
-        const std::size_t count = std::min(at_once, lines - first);
-        slabs.push_back({file_is_flipped ? lines - first - count : first, count});
-    }
-    if (file_is_flipped == first_is_index_0)
-        std::ranges::reverse(slabs);
-    return slabs;
-}
 
 // One job; Answer is Lit or, for shadow heights, float.
 template <typename Answer>
@@ -73,11 +43,9 @@ public:
         const bool rows = frame_.lines_are_rows;
         at_once_ = slab_lines(rows ? facts.block_rows : facts.block_columns,
                               rows ? job.writer.block_rows() : job.writer.block_columns());
-        slabs_ = slabs_in_light_order(lines(), at_once_,
-                                      rows ? facts.ground.rows_flipped : facts.ground.columns_flipped,
-                                      frame_.first_line_is_index_0);
+        slabs_ = slabs_in_light_order(job.file, frame_, at_once_);
         if (job.curvature.coefficient != 0.0)
-            curved_.emplace(job.curvature, facts.ground.cell_size_m, facts.columns);
+            curved_.emplace(job.curvature, job.file.ground().cell_size_m, job.file.columns());
     }
 
     ShadowOutcome run()

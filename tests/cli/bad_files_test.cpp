@@ -116,12 +116,13 @@ TEST_F(BadFiles, InputThatHoldsNoHeights)
 
 TEST_F(BadFiles, InputLargerThanMemory)
 {
-    write_file("huge.vrt", "<VRTDataset rasterXSize=\"500000\" rasterYSize=\"500000\"><SRS>EPSG:32633</SRS>"
-                           "<GeoTransform>0, 1, 0, 4e6, 0, -1</GeoTransform>"
-                           "<VRTRasterBand dataType=\"Float32\" band=\"1\"/></VRTDataset>");
+    write_file("huge.vrt",
+               "<VRTDataset rasterXSize=\"2000000000\" rasterYSize=\"2000000000\"><SRS>EPSG:32633</SRS>"
+               "<GeoTransform>0, 1e-5, 0, 4e6, 0, -1e-5</GeoTransform>"
+               "<VRTRasterBand dataType=\"Float32\" band=\"1\"/></VRTDataset>");
     const auto start = std::chrono::steady_clock::now();
     for (const Arguments& how : {Arguments{}, Arguments{"--caster", "ray"}, Arguments{"--heights"}})
-        expect_failure(shadow_of("huge.vrt", "mask.tif", how), 5, "500000 rows x 500000 columns");
+        expect_failure(shadow_of("huge.vrt", "mask.tif", how), 5, "2000000000 rows x 2000000000 columns");
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30))
         << "memory is checked first";
 }

@@ -259,6 +259,43 @@ TEST_F(ShadowCommand, ValuesCanBeChosen)
     EXPECT_EQ(mask(40, 30), 7.0F);
 }
 
+TEST_F(ShadowCommand, WhatIsTooLargeForMemoryIsCastInWindowsWithTheSameBytes)
+{
+    make(hills(900, 800));
+    const std::vector<Arguments> all{{}, {"--caster", "fast-ray"}, {"--classes"}, {"--heights"}, {"--flat"}};
+    for (const std::string azimuth : {"203", "20", "100.3", "290"})
+        for (const Arguments& how : azimuth == "100.3" ? all : std::vector<Arguments>{{}}) {
+            SCOPED_TRACE(testing::Message() << azimuth << " " << testing::PrintToString(how));
+            Arguments whole{"dem.tif", "whole.tif", "--azimuth", azimuth, "--altitude", "25", "--overwrite"};
+            whole.insert(whole.end(), how.begin(), how.end());
+            Arguments windows = whole;
+            windows[1] = "windows.tif";
+            windows.insert(
+                windows.end(),
+                {"--memory", how == Arguments{"--heights"} || how == Arguments{"--classes"} ? "4.6" : "3.2"});
+            const auto of_whole = shadow(whole);
+            const auto of_windows = shadow(windows);
+            EXPECT_THAT(of_windows["notes"].dump(), HasSubstr("windows"));
+            EXPECT_THAT(of_whole["notes"].dump(), Not(HasSubstr("windows")));
+            for (const char* count : {"lit", "shadow", "no_data"})
+                EXPECT_EQ(of_whole[count], of_windows[count]);
+            EXPECT_EQ(read("whole.tif").values, read("windows.tif").values);
+        }
+}
+
+TEST_F(ShadowCommand, WindowsThatShadowsMakeTooLargeAreRefused)
+{
+    make(hills(900, 800));
+    const Finished finished =
+        run({"shadow", "dem.tif", "mask.tif", "--azimuth", "203", "--altitude", "0.5", "--memory", "1.5"});
+    EXPECT_EQ(finished.exit_code, 5);
+    EXPECT_THAT(finished.err, HasSubstr("--caster sweep"));
+    EXPECT_THAT(files(), ElementsAre("dem.tif"));
+    EXPECT_EQ(run({"shadow", "dem.tif", "mask.tif", "--azimuth", "203", "--altitude", "9", "--memory", "0"})
+                  .exit_code,
+              2);
+}
+
 TEST_F(ShadowCommand, ANightIsDarkWithAWarning)
 {
     make(hills(30, 40));
