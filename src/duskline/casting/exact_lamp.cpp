@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -203,8 +204,8 @@ public:
             for (std::size_t i = 0; i < open; ++i)
                 if ((open_[i].flags & OpenCell::kUnanswered) != 0)
                     answer_cell(first_ + open_[i].index, heights);
-            for (std::ptrdiff_t cell = own_.first; cell < own_.last; ++cell)
-                answers[cell] = static_cast<Lit>(lit_of(cell));
+            if (!own_.empty())
+                std::memcpy(answers + own_.first, &lit_of(own_.first), own_.size());
         }
         raised_.clear();
         for (std::size_t i = 0; i < open; ++i)
@@ -346,8 +347,11 @@ private:
     // From units to cells. Units without a sample write theirs to the next one's, which is yet to come.
     void spread_answers()
     {
-        for (std::size_t unit = first_; unit < last_; ++unit)
-            lit_of(cell_in(unit)) = answer_[unit];
+        std::uint8_t* const lit = lit_.data() + kPadding + 1;
+        const std::int32_t* const before = before_.data();
+        const std::uint8_t* const answer = answer_.data();
+        for (std::size_t unit = first_, last = last_; unit < last; ++unit)
+            lit[before[unit]] = answer[unit];
     }
 
     void answer_cell(std::size_t unit, const float* heights)
@@ -520,8 +524,36 @@ private:
         line.per_line_before = static_cast<float>(1.0 / wedge_.distance(line_ - 1));
         line.rising = rising_.data();
         const std::size_t found = cast_.kernels.rising_lines_across(line, cells.size());
-        for (std::size_t i = 0; i < found; ++i)
-            add_line_across(cells.first + static_cast<std::ptrdiff_t>(rising_[i]));
+        for (std::size_t i = 0; i < found; ++i) {
+            const std::ptrdiff_t cell = cells.first + static_cast<std::ptrdiff_t>(rising_[i]);
+            if (!is_deep_in_shadow(line, cells.first, cell))
+                add_line_across(cell);
+        }
+    }
+
+    // Whether a line across lies under the front by its two ends alone. Settles most without working out its pieces.
+    bool is_deep_in_shadow(const LampCells& line, std::ptrdiff_t first_cell, std::ptrdiff_t cell) const
+    {
+        const float here = line.over[cell - first_cell] * line.per_line;
+        const float before = line.over_before[cell - first_cell] * line.per_line_before;
+        const double beams_before = beams_ / wedge_.distance(line_ - 1);
+        const double centre_before = wedge_.centre(static_cast<double>(line_ - 1));
+        const auto unit_of = [&](double place) {
+            return static_cast<std::size_t>(std::clamp(place - static_cast<double>(first_unit()), 0.0,
+                                                       static_cast<double>(units()) - 1.0));
+        };
+        const std::size_t here_unit = unit_of((static_cast<double>(cell) - centre_) / step_);
+        const std::size_t before_unit = unit_of((static_cast<double>(cell) - centre_before) * beams_before);
+        const float size = std::abs(here) + std::abs(before);
+        for (std::size_t unit = std::min(here_unit, before_unit); unit <= std::max(here_unit, before_unit);
+             ++unit) {
+            const float rounding =
+                4.0f * kLampRounding * (size + std::abs(front_[unit]) + std::abs(front_[unit + 1]));
+            if (!(std::max(here, before) + rounding
+                  <= std::min(front_[unit], front_[unit + 1]) - below_[unit]))
+                return false;
+        }
+        return true;
     }
 
     // A place and a height in the frame of the beams; places in units from the strip's first.
