@@ -35,7 +35,7 @@ VisibleFraction disc_average(const HeightField& field, const DirectionalLight& l
     VisibleFraction sum(field.rows(), field.columns(), 0.0f);
     const TerrainRays rays(field);
     for (const DirectionalLight& sun : suns_of_disc(light, count)) {
-        const ShadowMask mask = rays.cast(sun);
+        const ShadowMask mask = rays.cast(sun, {.threads = 1});
         for (std::size_t i = 0; i < sum.size(); ++i)
             sum.values()[i] += mask.values()[i] == Lit::unknown ? std::numeric_limits<float>::quiet_NaN()
                                : mask.values()[i] == Lit::yes   ? 1.0f

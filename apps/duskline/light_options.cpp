@@ -149,7 +149,8 @@ ChosenLight choose_light(const LightOptions& options, const LightSite& site, Rep
         options.sun.time ? light_by_time(options.sun, site, report) : light_by_angles(options, site, report);
     if (options.sun_size_deg)
         chosen.light.angular_diameter = Angle::from_degrees(*options.sun_size_deg);
-    if (!(chosen.light.altitude.degrees() > 0.0))
+    const double radius_deg = chosen.light.angular_diameter.degrees() / 2.0;
+    if (!(chosen.light.altitude.degrees() + (options.disc_counts ? radius_deg : 0.0) > 0.0))
         report.warn("the light is not above the horizon: everything is dark");
     return chosen;
 }

@@ -27,6 +27,7 @@ struct LightOptions {
     std::optional<double> altitude_deg = {};
     SunlightOptions sun = {};
     std::optional<double> sun_size_deg = {}; ///< else of the sun that day, or its mean
+    bool disc_counts = false;                ///< all of the disc gives light, not its centre alone
 };
 
 /// What a raster says about the place its light falls on.

@@ -13,6 +13,7 @@
 #include "run_options.h"
 #include "stopwatch.h"
 
+#include <duskline/casting/visible_fraction.h>
 #include <duskline/products/relief.h>
 #include <duskline/raster_io/memory_need.h>
 #include <duskline/raster_io/read_colours.h>
@@ -31,12 +32,15 @@ struct ReliefCommandOptions {
     LightOptions light;
     PictureOptions picture;
     std::string caster;
+    bool soft = false;
     RunOptions run;
 };
 
 // Heights, texture, heights lowered for the curvature, shadow heights, lit fraction; when lowered heights and
-// shadow heights are gone, water and the picture come instead.
+// shadow heights are gone, water and the picture come instead. For soft edges the visible fraction and its masks, but
+// shadow heights no more.
 constexpr double kBytesPerCell = 20.0;
+constexpr double kBytesPerCellSoft = 24.5;
 
 // Everything there is to know once the options are settled.
 struct ReliefJob {
@@ -80,10 +84,25 @@ Terrain lowered(const ReliefJob& job, const Terrain& terrain)
     return result;
 }
 
+// Edges within cells where they are hard, and soft where the half-shadow is wide enough to be seen.
+void soften(LitFraction& lit, const VisibleFraction& seen)
+{
+    std::ranges::transform(lit.values(), seen.values(), lit.values().begin(),
+                           [](float hard, float soft) { return soft > 0.0f && soft < 1.0f ? soft : hard; });
+}
+
+LitFraction hard_edges_on(const ReliefJob& job, const HeightField& field)
+{
+    const ShadowField shadows = job.caster.shadow_heights(field, job.light, job.execution(0.2, 0.5));
+    return lit_fraction(field, shadows, job.light, job.execution(0.5, 0.55));
+}
+
 LitFraction cast_on(const ReliefJob& job, const HeightField& field)
 {
-    const ShadowField shadows = job.caster.shadow_heights(field, job.light, job.execution(0.2, 0.6));
-    return lit_fraction(field, shadows, job.light, job.execution(0.6, 0.65));
+    LitFraction lit = hard_edges_on(job, field);
+    if (job.options.soft)
+        soften(lit, visible_fraction(field, job.light, job.caster, job.execution(0.55, 0.65)));
+    return lit;
 }
 
 LitFraction cast(const ReliefJob& job, const Terrain& terrain)
@@ -135,7 +154,8 @@ Picture shade(const ReliefJob& job, const Ground& ground, const LitFraction& lit
 
 Picture draw(const ReliefJob& job, Seconds& seconds, Report& report)
 {
-    require_memory(job.file.rows(), job.file.columns(), kBytesPerCell, "'" + job.file.facts().path + "'");
+    require_memory(job.file.rows(), job.file.columns(), job.options.soft ? kBytesPerCellSoft : kBytesPerCell,
+                   "'" + job.file.facts().path + "'");
     Ground ground;
     {
         const Stopwatch watch(seconds.reading);
@@ -186,6 +206,8 @@ RasterContent content_of(const ReliefJob& job, const ChosenLight& chosen, Sample
     content.rows = size.rows;
     content.columns = size.columns;
     content.tags = light_tags(chosen, job.file);
+    if (job.options.soft)
+        add_tag(content.tags, "LIGHT_DIAMETER", fmt::format("{:.6g}", job.light.angular_diameter.degrees()));
     add_tag(content.tags, "CASTER", std::string(job.caster.name));
     add_height_tags(content.tags, job.file, job.curvature);
     add_assumptions(content.tags, report);
@@ -263,8 +285,9 @@ void run_relief(const ReliefCommandOptions& options)
     const Caster& caster = chosen_caster(options.caster);
     require_palette(options.picture);
     HeightFile file = open_heights(options.input, options.run, report);
-    const ChosenLight chosen =
-        choose_light(with_usual_light(options.light, report), light_site(file.ground()), report);
+    LightOptions light = with_usual_light(options.light, report);
+    light.disc_counts = options.soft;
+    const ChosenLight chosen = choose_light(light, light_site(file.ground()), report);
     const EarthCurvature curvature = choose_curvature(options.input, file, report);
     const ReliefJob job = {options, file, chosen.light, curvature, caster, bar};
     report_light(job, chosen, report);
@@ -289,6 +312,9 @@ Run declare_relief(CLI::App& app)
     add_output_options(app, options->output);
     add_light_options(app, options->light);
     add_picture_options(app, options->picture);
+    app.add_flag("--soft", options->soft,
+                 "soft edges of shadows, as wide as the light's disc (--sun-size) makes them")
+        ->group("Picture");
     add_caster_option(app, options->caster);
     add_run_options(app, options->run);
     add_details(

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace duskline::cli {
 namespace {
@@ -79,6 +80,17 @@ void count_into(LitCount& count, GridView<const Lit> mask)
         count.no_data += unknown;
         count.shadow += mask.columns() - lit - unknown;
     }
+}
+
+void count_shares_into(LitCount& count, GridView<const float> shares)
+{
+    for (std::size_t y = 0; y < shares.rows(); ++y)
+        for (const float share : shares.row(y)) {
+            count.no_data += std::isnan(share) ? 1U : 0U;
+            count.lit += share == 1.0f ? 1U : 0U;
+            count.shadow += share == 0.0f ? 1U : 0U;
+            count.partly_lit += share > 0.0f && share < 1.0f ? 1U : 0U;
+        }
 }
 
 } // namespace duskline::cli

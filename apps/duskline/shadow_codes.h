@@ -46,10 +46,14 @@ void encode(GridView<Lit> mask, const MaskCodes& codes);
 struct LitCount {
     std::size_t lit = 0;
     std::size_t shadow = 0;
+    std::size_t partly_lit = 0; ///< of shares only
     std::size_t no_data = 0;
 
-    std::size_t cells() const { return lit + shadow + no_data; }
+    std::size_t cells() const { return lit + shadow + partly_lit + no_data; }
 };
 void count_into(LitCount& count, GridView<const Lit> mask);
+
+/// The same of shares from 0 to 1, NaN for no data.
+void count_shares_into(LitCount& count, GridView<const float> shares);
 
 } // namespace duskline::cli

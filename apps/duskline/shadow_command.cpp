@@ -22,6 +22,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -38,6 +39,8 @@ struct ShadowOptions {
     std::string caster; // empty: the default
     bool heights = false;
     bool classes = false;
+    bool soft = false;
+    bool antialias = false;
     MaskCodeOptions codes;
     std::optional<double> memory_mib;
     RunOptions run;
@@ -51,6 +54,10 @@ struct ShadowLight {
 
 ShadowResult chosen_result(const ShadowOptions& options)
 {
+    if (options.soft)
+        return ShadowResult::soft;
+    if (options.antialias)
+        return ShadowResult::antialias;
     if (options.heights)
         return ShadowResult::heights;
     if (options.lamps.count)
@@ -69,6 +76,10 @@ std::string encoding_in_words(ShadowResult result, const MaskCodes& codes, const
         return "how many lamps light the cell; 255 no data";
     case ShadowResult::classes:
         return "0 lit, 1 self-shaded, 2 cast shadow, 255 no data";
+    case ShadowResult::soft:
+        return "share of the light's disc that is seen, 0 to 1; -9999 no data";
+    case ShadowResult::antialias:
+        return "share of the cell's area that is lit, 0 to 1; -9999 no data";
     case ShadowResult::mask:
         break;
     }
@@ -84,6 +95,10 @@ const char* name_of(ShadowResult result)
         return "shadow class";
     case ShadowResult::lamp_count:
         return "lamps that light";
+    case ShadowResult::soft:
+        return "visible share of the light";
+    case ShadowResult::antialias:
+        return "lit share of the cell";
     case ShadowResult::mask:
         break;
     }
@@ -114,15 +129,18 @@ RasterContent content_of(const ShadowOptions& options, const HeightFile& file, c
 {
     const ShadowResult result = chosen_result(options);
     RasterContent content;
-    content.samples = result == ShadowResult::heights ? Samples::real : Samples::byte;
-    content.classes = result != ShadowResult::heights;
-    content.no_data = result == ShadowResult::heights ? static_cast<double>(kNoHeight)
-                      : result == ShadowResult::mask  ? static_cast<double>(codes.no_data)
-                                                      : 255.0;
+    content.samples = is_real(result) ? Samples::real : Samples::byte;
+    content.classes = !is_real(result);
+    content.no_data = is_real(result)                ? static_cast<double>(kNoHeight)
+                      : result == ShadowResult::mask ? static_cast<double>(codes.no_data)
+                                                     : 255.0;
     content.description = band_description(result, light);
     if (result == ShadowResult::heights)
         content.unit = file.facts().metres_per_unit == 1.0 ? "m" : file.facts().height_unit;
     content.tags = light.lamps.empty() ? light_tags(light.sun, file) : lamp_tags(light.lamps);
+    if (result == ShadowResult::soft)
+        add_tag(content.tags, "LIGHT_DIAMETER",
+                fmt::format("{:.6g}", light.sun.light.angular_diameter.degrees()));
     add_tag(content.tags, "CASTER", std::string(caster.name));
     add_tag(content.tags, "ENCODING", encoding_in_words(result, codes, file.facts(), light));
     add_height_tags(content.tags, file, curvature);
@@ -140,14 +158,21 @@ void report_outcome(const ShadowOptions& options, const ShadowOutcome& outcome, 
                     const Caster& caster, Report& report)
 {
     const LitCount& count = outcome.count;
-    report.line(fmt::format("{}: {} lit, {} in shadow, {} without data, of {} cells", options.output.path,
-                            share(count.lit, count.cells()), share(count.shadow, count.cells()),
+    const ShadowResult result = chosen_result(options);
+    const std::string partly =
+        !is_share(result) ? ""
+                          : fmt::format(" {} {},", share(count.partly_lit, count.cells()),
+                                        result == ShadowResult::soft ? "in half-shadow" : "partly lit");
+    report.line(fmt::format("{}: {} lit,{} {} in shadow, {} without data, of {} cells", options.output.path,
+                            share(count.lit, count.cells()), partly, share(count.shadow, count.cells()),
                             share(count.no_data, count.cells()), count.cells()));
     report.field("output", options.output.path);
     report.field("caster", caster.name);
     report.field("cells", count.cells());
     report.field("lit", count.lit);
     report.field("shadow", count.shadow);
+    if (is_share(result))
+        report.field("partly_lit", count.partly_lit);
     report.field("no_data", count.no_data);
     report.json()["seconds"] = {{"reading", outcome.reading_s},
                                 {"casting", outcome.casting_s},
@@ -195,7 +220,7 @@ struct Plan {
 Plan plan_for(const ShadowOptions& options, const HeightFile& file, const Caster& caster)
 {
     const ShadowResult result = chosen_result(options);
-    if (options.lamps.given()) {
+    if (options.lamps.given() || is_share(result)) {
         require_memory_for_whole(file, result, options.lamps.points.size());
         return {};
     }
@@ -232,6 +257,11 @@ void require_possible(const ShadowOptions& options, const Caster& caster)
     if (options.classes)
         throw UsageError(
             "--classes are of parallel light: give --azimuth and --altitude, or --time, not --point");
+    if (options.soft)
+        throw UsageError("--soft is of a sun's disc: give --azimuth and --altitude, or --time, not --point");
+    if (options.antialias)
+        throw UsageError(
+            "--antialias is of parallel light: give --azimuth and --altitude, or --time, not --point");
     require_takes_lamps(caster);
 }
 
@@ -240,7 +270,9 @@ ShadowLight choose(const ShadowOptions& options, const HeightFile& file, const E
 {
     if (options.lamps.given())
         return {{}, choose_lamps(options.lamps, options.input, options.run, file, curvature, report)};
-    return {choose_light(options.light, light_site(file.ground()), report), {}};
+    LightOptions light = options.light;
+    light.disc_counts = options.soft;
+    return {choose_light(light, light_site(file.ground()), report), {}};
 }
 
 std::vector<PointLight> as_casters_take_them(const std::vector<ChosenLamp>& lamps)
@@ -270,6 +302,8 @@ void run_shadow(const ShadowOptions& options)
         const EarthCurvature curvature = choose_curvature(options.input, file, report);
         const ShadowLight light = choose(options, file, curvature, report);
         report_light(light, curvature, file, report);
+        if (options.soft)
+            report.field("light_diameter_deg", light.sun.light.angular_diameter.degrees());
         if (plan.way == Way::windows)
             require_memory_for_windows(file, light.sun.light, chosen_result(options),
                                        static_cast<double>(plan.memory_bytes));
@@ -305,10 +339,20 @@ void add_result_options(CLI::App& app, ShadowOptions& options)
     auto* classes =
         app.add_flag("--classes", options.classes,
                      "write 0 lit, 1 self-shaded (its slope looks away), 2 cast shadow, 255 no data");
-    heights->excludes(classes)->group("Output");
-    classes->excludes(app.get_option("--count"));
-    heights->excludes(app.get_option("--count"));
-    classes->group("Output");
+    auto* soft = app.add_flag("--soft", options.soft,
+                              "write how much of the light's disc (--sun-size) is seen, 0 to 1: shadows with "
+                              "soft edges");
+    auto* antialias = app.add_flag("--antialias", options.antialias,
+                                   "write how much of a cell's area is lit, 0 to 1: hard edges, drawn within "
+                                   "cells");
+    const std::array results = {heights, classes, soft, antialias};
+    for (auto* result : results) {
+        result->group("Output");
+        result->excludes(app.get_option("--count"));
+        for (auto* other : results)
+            if (other != result)
+                result->excludes(other);
+    }
     add_mask_code_options(app, options.codes);
 }
 
@@ -343,6 +387,8 @@ Run declare_shadow(CLI::App& app)
                 "duskline shadow dem.tif shadow.png --azimuth 315 --altitude 20");
     add_example(app, "what a lamp 30 m above the ground and a beacon 4250 m high light",
                 "duskline shadow dem.tif lit.tif --point 243500,2193200,+30 --point 240000,2190000,4250");
+    add_example(app, "the same with soft edges, as wide as the sun's disc makes them",
+                "duskline shadow dem.tif soft.tif --soft --time 2026-06-21T18:30-10:00");
     add_example(app, "how high a mast must be to stand in the sun",
                 "duskline shadow dem.tif heights.tif --heights --azimuth 180 --altitude 8");
     return [options] { run_shadow(*options); };

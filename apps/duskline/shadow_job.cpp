@@ -3,6 +3,8 @@
 #include "stopwatch.h"
 
 #include <duskline/casting/lamps.h>
+#include <duskline/casting/visible_fraction.h>
+#include <duskline/products/lit_fraction.h>
 #include <duskline/products/shadow_classes.h>
 #include <duskline/raster_io/memory_need.h>
 
@@ -121,6 +123,29 @@ void heights_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& 
     });
 }
 
+Grid<float> shares_of(const ShadowJob& job, const Terrain& terrain)
+{
+    if (job.result == ShadowResult::soft)
+        return visible_fraction(terrain, job.light, job.caster, with_progress(job, 0.2, 0.9));
+    const ShadowMask mask = job.caster.cast(terrain, job.light, with_progress(job, 0.2, 0.3));
+    return super_sampled_lit_fraction(terrain, mask, job.light, with_progress(job, 0.3, 0.9));
+}
+
+void shares_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& outcome)
+{
+    Grid<float> shares;
+    {
+        const Stopwatch watch(outcome.casting_s);
+        shares = shares_of(job, terrain);
+        count_shares_into(outcome.count, shares.view());
+    }
+    write_in_bands(job, shares, outcome.writing_s, [](std::size_t, GridView<float> part) {
+        for (std::size_t y = 0; y < part.rows(); ++y)
+            std::ranges::replace_if(
+                part.row(y), [](float share) { return std::isnan(share); }, kNoHeight);
+    });
+}
+
 } // namespace
 
 double bytes_per_cell(ShadowResult result, std::size_t lamps)
@@ -133,10 +158,24 @@ double bytes_per_cell(ShadowResult result, std::size_t lamps)
         return sizeof(float) + 3.0;
     case ShadowResult::heights:
         return (2.0 + more) * sizeof(float);
+    case ShadowResult::soft:
+        return 2.0 * sizeof(float) + 4.5; // masks for four edges of the disc, and blocks of heights
+    case ShadowResult::antialias:
+        return 2.0 * sizeof(float) + 1.0 + 8.0 * 2.0 / 3.0; // a mask and the pyramid of the rays
     case ShadowResult::mask:
         break;
     }
     return sizeof(float) + 1.0 + more;
+}
+
+bool is_share(ShadowResult result)
+{
+    return result == ShadowResult::soft || result == ShadowResult::antialias;
+}
+
+bool is_real(ShadowResult result)
+{
+    return result == ShadowResult::heights || is_share(result);
 }
 
 void require_memory_for_whole(const HeightFile& file, ShadowResult result, std::size_t lamps)
@@ -152,6 +191,8 @@ ShadowOutcome cast_whole(const ShadowJob& job)
         heights_whole(job, terrain, outcome);
     else if (job.result == ShadowResult::lamp_count)
         count_whole(job, terrain, outcome);
+    else if (is_share(job.result))
+        shares_whole(job, terrain, outcome);
     else
         mask_whole(job, terrain, outcome);
     return outcome;

@@ -16,9 +16,20 @@
 namespace duskline::cli {
 
 /// What `duskline shadow` writes.
-enum class ShadowResult { mask, classes, heights, lamp_count };
+enum class ShadowResult {
+    mask,
+    classes,
+    heights,
+    lamp_count,
+    soft,      ///< the share of the light's disc that is seen
+    antialias, ///< the share of a cell's area that is lit
+};
 
-/// Written for cells without data in a raster of shadow heights.
+/// Whether it is real numbers, not codes, and which of those are shares from 0 to 1.
+bool is_real(ShadowResult result);
+bool is_share(ShadowResult result);
+
+/// Written for cells without data in a raster of shadow heights or shares.
 constexpr float kNoHeight = -9999.0f;
 
 /// Everything there is to know once the options are settled.

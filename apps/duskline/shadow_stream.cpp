@@ -171,7 +171,7 @@ private:
 
 bool can_stream(const Caster& caster, ShadowResult result)
 {
-    return caster.name == "sweep" && result != ShadowResult::classes;
+    return caster.name == "sweep" && (result == ShadowResult::mask || result == ShadowResult::heights);
 }
 
 ShadowOutcome cast_in_stream(const ShadowJob& job)

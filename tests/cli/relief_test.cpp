@@ -125,6 +125,22 @@ TEST_F(ReliefCommand, DarkensWhatLiesInTheShadowOfAWall)
     EXPECT_GT(from_the_west.at(12, 34).at(0), 115);
 }
 
+TEST_F(ReliefCommand, SoftensTheEdgeOfAShadow)
+{
+    // A light 20 degrees wide: the half-shadow of the wall reaches from 14 m to 29 m.
+    const Arguments arguments = {"wall.asc",   "--palette", "brown.txt", "--azimuth",      "90",
+                                 "--altitude", "45",        "--flat",    "--exaggeration", "1",
+                                 "--sun-size", "20"};
+    const Ppm hard = draw(arguments);
+    Arguments with_soft = arguments;
+    with_soft.emplace_back("--soft");
+    const Ppm soft = draw(with_soft);
+    EXPECT_EQ(soft.at(12, 29), hard.at(12, 29)); // full shadow
+    EXPECT_EQ(soft.at(12, 26), hard.at(12, 26)); // full light
+    EXPECT_LT(soft.at(12, 28).at(0), hard.at(12, 26).at(0));
+    EXPECT_GT(soft.at(12, 28).at(0), hard.at(12, 29).at(0));
+}
+
 TEST_F(ReliefCommand, MakesTheWholePictureSmaller)
 {
     const Ppm picture = draw({"wall.asc", "--size", "20"});

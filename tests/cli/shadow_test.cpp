@@ -1,6 +1,8 @@
 #include "raster_run.h"
 
 #include <duskline/casting/casters.h>
+#include <duskline/casting/visible_fraction.h>
+#include <duskline/products/lit_fraction.h>
 #include <duskline/products/shadow_classes.h>
 #include <duskline/raster_io/read_height_field.h>
 #include <duskline/terrain/earth_curvature.h>
@@ -9,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace duskline::cli_test {
@@ -231,6 +234,95 @@ TEST_F(ShadowCommand, ClassesTellSelfShadedFromCast)
         ASSERT_EQ(classes.values[i], static_cast<float>(expected.values()[i])) << i;
     EXPECT_THAT(classes.values, Contains(1.0F));
     EXPECT_THAT(classes.values, Contains(2.0F));
+}
+
+TEST_F(ShadowCommand, SoftEdgesAreTheVisibleShareOfTheDisc)
+{
+    make(hills(90, 120));
+    const Terrain terrain = terrain_of("dem.tif");
+    const auto summary = shadow({"dem.tif", "soft.tif", "--soft", "--azimuth", "31", "--altitude", "11",
+                                 "--flat", "--sun-size", "0.9"});
+    const VisibleFraction expected = visible_fraction(terrain,
+                                                      {.azimuth = Angle::from_degrees(31.0),
+                                                       .altitude = Angle::from_degrees(11.0),
+                                                       .angular_diameter = Angle::from_degrees(0.9)},
+                                                      caster_named("exact"));
+    ReadRaster soft = read("soft.tif");
+    std::size_t between = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const float share = expected.values()[i];
+        ASSERT_EQ(soft.values[i], std::isnan(share) ? -9999.0F : share) << i;
+        between += share > 0.0F && share < 1.0F ? 1U : 0U;
+    }
+    EXPECT_GT(between, 10U);
+    EXPECT_EQ(summary["partly_lit"], between);
+    EXPECT_EQ(summary["light_diameter_deg"], 0.9);
+    EXPECT_EQ(summary["lit"].get<std::size_t>() + summary["shadow"].get<std::size_t>() + between
+                  + summary["no_data"].get<std::size_t>(),
+              90U * 120U);
+    EXPECT_EQ(soft.no_data, -9999.0);
+    EXPECT_EQ(soft.tags["LIGHT_DIAMETER"], "0.9");
+    EXPECT_THAT(soft.tags["ENCODING"], HasSubstr("disc"));
+    EXPECT_THAT(soft.description, ::testing::StartsWith("visible share"));
+}
+
+TEST_F(ShadowCommand, ASunOfNoSizeHasHardEdges)
+{
+    make(hills(60, 70));
+    shadow({"dem.tif", "mask.tif", "--azimuth", "31", "--altitude", "11"});
+    shadow({"dem.tif", "soft.tif", "--soft", "--sun-size", "0", "--azimuth", "31", "--altitude", "11"});
+    const ReadRaster mask = read("mask.tif");
+    const ReadRaster soft = read("soft.tif");
+    for (std::size_t i = 0; i < mask.values.size(); ++i)
+        ASSERT_EQ(soft.values[i], mask.values[i] == 255.0F ? -9999.0F : mask.values[i]) << i;
+}
+
+TEST_F(ShadowCommand, ASunHalfUpLightsByHalfAndWarnsOfNothing)
+{
+    MadeRaster dem{.rows = 8, .columns = 9};
+    dem.value = [](std::size_t, std::size_t, std::size_t) { return 12.0; };
+    make(dem);
+    const auto summary =
+        shadow({"dem.tif", "soft.tif", "--soft", "--azimuth", "90", "--altitude", "0", "--flat"});
+    for (const float share : read("soft.tif").values)
+        ASSERT_NEAR(share, 0.5F, 2e-3F);
+    EXPECT_EQ(summary["partly_lit"], 72);
+    EXPECT_THAT(summary["warnings"].dump(), ::testing::Not(HasSubstr("dark")));
+    EXPECT_THAT(
+        shadow({"dem.tif", "night.tif", "--soft", "--azimuth", "90", "--altitude", "-1"})["warnings"].dump(),
+        HasSubstr("everything is dark"));
+}
+
+TEST_F(ShadowCommand, AntialiasedEdgesAreTheLitShareOfCells)
+{
+    make(hills(90, 120));
+    const Terrain terrain = terrain_of("dem.tif");
+    const DirectionalLight light = {Angle::from_degrees(31.0), Angle::from_degrees(11.0)};
+    const auto summary =
+        shadow({"dem.tif", "aa.tif", "--antialias", "--azimuth", "31", "--altitude", "11", "--flat"});
+    const LitFraction expected = super_sampled_lit_fraction(terrain, cast_by_exact(terrain, light), light);
+    const ReadRaster lit = read("aa.tif");
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        ASSERT_EQ(lit.values[i], std::isnan(expected.values()[i]) ? -9999.0F : expected.values()[i]) << i;
+    EXPECT_GT(summary["partly_lit"], 10);
+}
+
+TEST_F(ShadowCommand, AsksForOneResultAtATime)
+{
+    make(hills(20, 20));
+    const std::array results = {"--soft", "--antialias", "--classes", "--heights"};
+    for (const char* one : results)
+        for (const char* other : results)
+            if (one != other) {
+                const Finished finished =
+                    run({"shadow", "dem.tif", "a.tif", "--azimuth", "9", "--altitude", "9", one, other});
+                EXPECT_EQ(finished.exit_code, 2);
+                EXPECT_THAT(finished.err, HasSubstr("excludes"));
+            }
+    const Finished picture =
+        run({"shadow", "dem.tif", "a.png", "--soft", "--azimuth", "9", "--altitude", "9"});
+    EXPECT_EQ(picture.exit_code, 2);
+    EXPECT_THAT(picture.err, HasSubstr("cannot hold"));
 }
 
 TEST_F(ShadowCommand, PicturesAreBlackAndWhite)

@@ -1,5 +1,6 @@
 // Every caster on real mountains, against the truth. docs/accuracy.md has the numbers these bounds hold.
 
+#include "disc_average.h"
 #include "mask_assertions.h"
 #include "terrains.h"
 
@@ -186,6 +187,30 @@ TEST(RealTerrain, ExactCastersAreTheRayUnderRandomLamps)
                         << ", column " << lamp.position.column << ", " << lamp.position.height_m << " m";
                 }
         }
+    }
+}
+
+// docs/algorithms/soft.md has the figures of larger crops and more suns.
+TEST(RealTerrain, SoftShadowsAreAveragesOverTheDisc)
+{
+    struct Crop {
+        RealTerrain place;
+        std::size_t row;
+        std::size_t column;
+    };
+    for (const Crop& crop : {Crop{{"BigTujunga", kSharedData, "bigtujunga/bigtujunga.tif"}, 100, 300},
+                             Crop{{"Hawaii", kOwnData, "hawaii_2048.tif"}, 700, 700}}) {
+        if (!std::filesystem::exists(path_of(crop.place)))
+            continue;
+        const Terrain whole = read(crop.place);
+        const HeightField part = HeightField(whole).window(crop.row, crop.column, 160, 160);
+        const DirectionalLight light{Angle::from_degrees(203.0), Angle::from_degrees(5.0)};
+        const FractionError error = fraction_error(visible_fraction(part, light, caster_named("exact")),
+                                                   disc_average(part, light, 150));
+        EXPECT_GT(error.cells, 100U) << crop.place.name;
+        EXPECT_LT(error.mean, 0.012) << crop.place.name;
+        EXPECT_LT(static_cast<double>(error.far_off), 0.01 * static_cast<double>(error.cells))
+            << crop.place.name;
     }
 }
 

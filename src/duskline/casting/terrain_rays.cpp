@@ -120,7 +120,19 @@ double TerrainRays::shadow_height_m(double row, double column, const Directional
 bool TerrainRays::is_shadowed(const GridPoint& point, const DirectionalLight& light) const
 {
     require_height(point);
-    return point.height_m < shadow_height_m(point.row, point.column, light);
+    require_place("row", point.row);
+    require_place("column", point.column);
+    require_valid(light);
+    if (const auto answer = uniform_answer(light))
+        return *answer == Lit::no && point.height_m < kNeverEnough;
+    if (field_.heights_m.empty())
+        return false;
+    // As shadow_height_m, but any shadow above the point will do.
+    const RayMarch march(field_, light, pyramid_.total());
+    const auto entry = march.entry(march.surface().start_at(point.row, point.column));
+    const double height_m = point.height_m + entry.drop_m;
+    return FastMarch(pyramid_).shadow_height_m(ParallelRay(march, entry.start), height_m, height_m)
+           > height_m;
 }
 
 ShadowMask TerrainRays::cast(const DirectionalLight& light, const Execution& execution) const

@@ -1,10 +1,13 @@
+#include <duskline/casting/ray.h>
 #include <duskline/execution/for_rows.h>
 #include <duskline/products/lit_fraction.h>
+#include <duskline/terrain/ground_height.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -113,7 +116,68 @@ float most_clearance_m(const HeightField& field, const DirectionalLight& light)
     return static_cast<float>(diagonal_m * tangent(light.altitude));
 }
 
+bool has_other_neighbour(const ShadowMask& mask, std::size_t row, std::size_t column)
+{
+    const Lit own = mask(row, column);
+    const std::size_t last_row = std::min(row + 1, mask.rows() - 1);
+    const std::size_t last_column = std::min(column + 1, mask.columns() - 1);
+    for (std::size_t y = row - std::min<std::size_t>(row, 1); y <= last_row; ++y)
+        for (std::size_t x = column - std::min<std::size_t>(column, 1); x <= last_column; ++x)
+            if (mask(y, x) != own && mask(y, x) != Lit::unknown)
+                return true;
+    return false;
+}
+
+// The lit share of 4 x 4 points that are on the ground.
+float sampled_part(const HeightField& field, const TerrainRays& rays, const DirectionalLight& light,
+                   std::size_t row, std::size_t column)
+{
+    constexpr std::array<double, 4> offsets = {-0.375, -0.125, 0.125, 0.375};
+    int lit = 0;
+    int points = 0;
+    for (const double down : offsets)
+        for (const double across : offsets) {
+            const double y = static_cast<double>(row) + down;
+            const double x = static_cast<double>(column) + across;
+            const std::optional<double> ground_m = ground_height_m(field, y, x);
+            if (!ground_m)
+                continue;
+            ++points;
+            lit += rays.is_shadowed({y, x, *ground_m}, light) ? 0 : 1;
+        }
+    return static_cast<float>(lit) / static_cast<float>(points);
+}
+
+void require_size(const HeightField& field, const char* what, std::size_t rows, std::size_t columns)
+{
+    if (rows != field.rows() || columns != field.columns())
+        throw InvalidInput(std::string(what) + " must have the size of the terrain, "
+                           + std::to_string(field.rows()) + " x " + std::to_string(field.columns()) + ", got "
+                           + std::to_string(rows) + " x " + std::to_string(columns));
+}
+
 } // namespace
+
+LitFraction super_sampled_lit_fraction(const HeightField& field, const ShadowMask& mask,
+                                       const DirectionalLight& light, const Execution& execution)
+{
+    require_valid(field);
+    require_valid(light);
+    require_size(field, "a mask", mask.rows(), mask.columns());
+    LitFraction result = lit_fraction(mask, {.threads = execution.threads});
+    if (uniform_answer(light))
+        return result;
+    const TerrainRays rays(field, {.threads = execution.threads});
+    for_rows(field.rows(), 4, execution, [&](std::size_t first, std::size_t last) {
+        for (std::size_t y = first; y < last; ++y)
+            for (std::size_t x = 0; x < field.columns(); ++x)
+                if (mask(y, x) != Lit::unknown && has_other_neighbour(mask, y, x)) {
+                    const float part = sampled_part(field, rays, light, y, x);
+                    result(y, x) = std::isnan(part) ? result(y, x) : part; // a sample between holes
+                }
+    });
+    return result;
+}
 
 LitFraction lit_fraction(const ShadowMask& mask, const Execution& execution)
 {
@@ -132,11 +196,7 @@ LitFraction lit_fraction(const HeightField& field, const ShadowField& shadow_hei
 {
     require_valid(field);
     require_valid(light);
-    if (shadow_heights_m.rows() != field.rows() || shadow_heights_m.columns() != field.columns())
-        throw InvalidInput("shadow heights must have the size of the terrain, " + std::to_string(field.rows())
-                           + " x " + std::to_string(field.columns()) + ", got "
-                           + std::to_string(shadow_heights_m.rows()) + " x "
-                           + std::to_string(shadow_heights_m.columns()));
+    require_size(field, "shadow heights", shadow_heights_m.rows(), shadow_heights_m.columns());
     if (const auto answer = uniform_answer(light))
         return lit_fraction(uniform_mask(field, *answer), execution);
 

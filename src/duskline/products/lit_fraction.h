@@ -24,6 +24,17 @@ using LitFraction = Grid<float>;
 LitFraction lit_fraction(const HeightField& field, const ShadowField& shadow_heights_m,
                          const DirectionalLight& light, const Execution& execution = {});
 
+/// Shadow edges by super-sampling: 4 x 4 points over every cell that an edge may pass through, one with a neighbour
+/// (diagonally too) of the other answer in `mask`, each on the surface (ground_height.h) and with a ray of its own.
+/// Within about 0.03 of what 8 x 8 points find, and several times as close as what is found from shadow heights, which
+/// know nothing of the ground between samples; but some 10 microseconds for each such cell. What is not ground
+/// (beyond the border, beside holes) does not count. A shadow narrower than a cell and between all centres is not
+/// seen. Other cells have 0 or 1.
+///
+/// `mask` is an exact caster's for that light. Throws InvalidInput when the sizes differ, Cancelled.
+LitFraction super_sampled_lit_fraction(const HeightField& field, const ShadowMask& mask,
+                                       const DirectionalLight& light, const Execution& execution = {});
+
 /// 0 or 1 for every cell of a mask, NaN for `unknown`.
 LitFraction lit_fraction(const ShadowMask& mask, const Execution& execution = {});
 

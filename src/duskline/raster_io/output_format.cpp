@@ -151,7 +151,7 @@ GDALDriver& output_driver(const std::string& format, const RasterContent& conten
     if (driver.GetMetadataItem(GDAL_DMD_CREATIONDATATYPES) != nullptr
         && !has_word(driver, GDAL_DMD_CREATIONDATATYPES, type))
         throw InvalidInput("the format " + format + " cannot hold "
-                           + (content.samples == Samples::real ? "heights (Float32)" : "bytes")
+                           + (content.samples == Samples::real ? "heights or shares (Float32)" : "bytes")
                            + "; GTiff can");
     return driver;
 }
