@@ -7,8 +7,10 @@
 //
 // What can: the shadow of a slab's highest ground falls with the light, and no longer matters where it is under the
 // lowest ground of the window. So every ray finds all it could have met, and the answers are those of the whole.
+// Ground is compared in pieces of some hundred cells, with those that light comes over: on a round earth the sides
+// of a large raster lie kilometres lower than its middle.
 //
-// A first pass over the file notes the lowest and highest ground of each slab. Memory: a window with the ground
+// A first pass over the file notes the lowest and highest ground of each piece of each slab. Memory: a window with the ground
 // before it, heights and answers.
 
 #include "light_slabs.h"
@@ -37,18 +39,32 @@ constexpr double kRounding_m = 0.01;
 // One slab more than the answers say, for what casters keep beside them.
 constexpr double kBesides = 1.25;
 
-struct SurveyedSlab {
-    Slab slab;
-    std::size_t first_line = 0; // from the light
+constexpr std::size_t kCellsInPiece = 512;
+
+struct Extremes {
     float lowest_m = std::numeric_limits<float>::infinity();
     float highest_m = -std::numeric_limits<float>::infinity();
+
+    void note(float height_m)
+    {
+        if (height_m < lowest_m)
+            lowest_m = height_m;
+        if (height_m > highest_m)
+            highest_m = height_m;
+    }
+};
+
+struct SurveyedSlab {
+    Slab slab;
+    std::size_t first_line = 0;   // from the light
+    std::vector<Extremes> pieces; // along its lines
 
     std::size_t end_line() const { return first_line + slab.count; }
 };
 
-// Slabs [first_needed, last) are cast, [first, last) written.
+// Slabs [first, last) are written, and cast with the lines before them from one on.
 struct Window {
-    std::size_t first_needed = 0;
+    std::size_t first_needed_line = 0;
     std::size_t first = 0;
     std::size_t last = 0;
 };
@@ -87,7 +103,7 @@ public:
             frame_.lines_are_rows ? job_.writer.block_rows() : job_.writer.block_columns();
         std::size_t line = 0;
         for (const Slab& slab : slabs_in_light_order(job_.file, frame_, slab_lines(1, output_block))) {
-            slabs_.push_back({.slab = slab, .first_line = line});
+            slabs_.push_back({slab, line, std::vector<Extremes>(pieces())});
             line += slab.count;
         }
         survey();
@@ -187,43 +203,61 @@ private:
         const std::size_t from = std::max(first_row, part.first_row);
         const std::size_t to = std::min(first_row + band_m.rows(), part.first_row + part.rows);
         for (std::size_t row = from; row < to; ++row)
-            for (const float height_m :
-                 band_m.row(row - first_row).subspan(part.first_column, part.columns)) {
-                if (height_m < slab.lowest_m)
-                    slab.lowest_m = height_m;
-                if (height_m > slab.highest_m)
-                    slab.highest_m = height_m;
-            }
+            for (std::size_t column = part.first_column; column < part.first_column + part.columns; ++column)
+                slab.pieces[(frame_.lines_are_rows ? column : row) / kCellsInPiece].note(
+                    band_m(row - first_row, column));
     }
 
-    // The slab nearest the light that can shade ground of that height in slab `own` or behind it.
-    std::size_t first_that_shades(std::size_t own, float lowest_m) const
+    std::size_t pieces() const { return (cells_ + kCellsInPiece - 1) / kCellsInPiece; }
+
+    // The line nearest the light that can shade ground as low as that, piece by piece, on [own_line, end_line).
+    std::size_t first_that_shades(std::size_t own_line, std::size_t end_line,
+                                  const std::vector<float>& lowest_m) const
     {
-        for (std::size_t i = 0; i < own; ++i) {
-            const auto lines = static_cast<double>(slabs_[own].first_line - (slabs_[i].end_line() - 1));
-            if (static_cast<double>(slabs_[i].highest_m) + kRounding_m
-                >= static_cast<double>(lowest_m) + frame_.drop_m * lines)
-                return i;
+        for (const SurveyedSlab& slab : slabs_)
+            if (slab.first_line >= own_line || can_shade(slab, own_line, end_line, lowest_m))
+                return std::min(slab.first_line, own_line);
+        return own_line;
+    }
+
+    bool can_shade(const SurveyedSlab& slab, std::size_t own_line, std::size_t end_line,
+                   const std::vector<float>& lowest_m) const
+    {
+        const double fall_m = frame_.drop_m * static_cast<double>(own_line - (slab.end_line() - 1));
+        const double moved = std::abs(frame_.lateral) * static_cast<double>(end_line - slab.first_line) + 2.0;
+        const std::size_t beside = static_cast<std::size_t>(moved) / kCellsInPiece + 1;
+        for (std::size_t piece = 0; piece < lowest_m.size(); ++piece) {
+            const bool from_lower =
+                frame_.lateral >= 0.0; // light moves to one side only, but for interpolation
+            const std::size_t lower = piece - std::min<std::size_t>(piece, from_lower ? beside : 1);
+            const std::size_t upper = std::min(piece + (from_lower ? 1 : beside), lowest_m.size() - 1);
+            for (std::size_t shading = lower; shading <= upper; ++shading)
+                if (static_cast<double>(slab.pieces[shading].highest_m) + kRounding_m
+                    >= static_cast<double>(lowest_m[piece]) + fall_m)
+                    return true;
         }
-        return own;
+        return false;
     }
 
     std::vector<Window> cut_into_windows() const
     {
         std::vector<Window> windows;
         for (std::size_t first = 0; first < slabs_.size();) {
-            Window window{first, first, first};
-            float lowest_m = std::numeric_limits<float>::infinity();
+            Window window{0, first, first};
+            const std::size_t own_line = slabs_[first].first_line;
+            std::vector<float> lowest_m(pieces(), std::numeric_limits<float>::infinity());
             for (std::size_t last = first; last < slabs_.size(); ++last) {
-                lowest_m = std::min(lowest_m, slabs_[last].lowest_m);
-                const std::size_t needed = first_that_shades(first, lowest_m);
-                const std::size_t lines = slabs_[last].end_line() - slabs_[needed].first_line;
+                const std::size_t end_line = slabs_[last].end_line();
+                for (std::size_t piece = 0; piece < pieces(); ++piece)
+                    lowest_m[piece] = std::min(lowest_m[piece], slabs_[last].pieces[piece].lowest_m);
+                const std::size_t needed = first_that_shades(own_line, end_line, lowest_m);
+                const std::size_t lines = end_line - needed;
                 if (static_cast<double>(lines) > most_lines_) {
                     if (last == first)
                         refuse(lines);
                     break;
                 }
-                window.first_needed = needed;
+                window.first_needed_line = needed;
                 window.last = last + 1;
             }
             windows.push_back(window);
@@ -239,7 +273,7 @@ private:
         const std::size_t own_line = slabs_[window.first].first_line;
         const std::size_t end_line = slabs_[window.last - 1].end_line();
         const std::size_t first_line =
-            std::min(slabs_[window.first_needed].first_line, own_line - std::min(own_line, beside));
+            std::min(window.first_needed_line, own_line - std::min(own_line, beside));
         const std::size_t last_line = std::min(end_line + beside, lines_);
         const Part whole = part_of_lines(first_line, last_line);
         Grid<float> heights_m(whole.rows, whole.columns);
