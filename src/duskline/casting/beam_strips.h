@@ -63,9 +63,10 @@ template <typename Answer, std::size_t kLinesBefore, typename Carry>
 class BandWalk {
 public:
     BandWalk(const kernels::Kernels& kernels, const kernels::StripLines& lines, const Band& band,
-             const LightOrder<const float>& heights, const LightOrder<Answer>& answers, Carry carry)
+             const LightOrder<const float>& heights, const LightOrder<Answer>& answers,
+             std::size_t unanswered_lines, Carry carry)
         : kernels_(kernels), lines_(lines), band_(band), heights_(heights), answers_(answers),
-          carry_(std::move(carry))
+          unanswered_lines_(unanswered_lines), carry_(std::move(carry))
     {}
 
     void walk()
@@ -220,7 +221,12 @@ private:
     void turn_back(std::size_t done, std::size_t first_line, std::size_t lines, CellRange range,
                    CellRange needed, std::ptrdiff_t width)
     {
-        if (range.empty())
+        if (done + first_line < unanswered_lines_) {
+            const std::size_t unanswered = std::min(lines, unanswered_lines_ - done - first_line);
+            first_line += unanswered;
+            lines -= unanswered;
+        }
+        if (range.empty() || lines == 0)
             return;
         const bool eastwards = answers_.line_step > 0;
         const std::size_t lowest = eastwards ? first_line : first_line + lines - 1; // column
@@ -250,17 +256,22 @@ private:
     const Band& band_;
     const LightOrder<const float>& heights_;
     const LightOrder<Answer>& answers_;
+    std::size_t unanswered_lines_;
     Carry carry_;
     Grid<float> lines_m_;
     Grid<Answer> turned_;
 };
 
-/// Walks a band through all of its lines (see BandWalk).
+/// Walks a band through all of its lines (see BandWalk). Whatever `carry` answers on the first `unanswered_lines` of
+/// them is not turned back to columns; along rows it must not answer there.
 template <std::size_t kLinesBefore, typename Answer, typename Carry>
 void walk_band(const kernels::Kernels& kernels, const kernels::StripLines& lines, const Band& band,
-               const LightOrder<const float>& heights, const LightOrder<Answer>& answers, Carry carry)
+               const LightOrder<const float>& heights, const LightOrder<Answer>& answers, Carry carry,
+               std::size_t unanswered_lines = 0)
 {
-    BandWalk<Answer, kLinesBefore, Carry>(kernels, lines, band, heights, answers, std::move(carry)).walk();
+    BandWalk<Answer, kLinesBefore, Carry>(kernels, lines, band, heights, answers, unanswered_lines,
+                                          std::move(carry))
+        .walk();
 }
 
 } // namespace duskline

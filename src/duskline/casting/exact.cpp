@@ -30,6 +30,7 @@
 #include <duskline/casting/beam_strips.h>
 #include <duskline/casting/candidates.h>
 #include <duskline/casting/exact.h>
+#include <duskline/casting/exact_front.h>
 #include <duskline/casting/kernels/kernels.h>
 #include <duskline/casting/ray_march.h>
 #include <duskline/execution/for_rows.h>
@@ -67,6 +68,9 @@ constexpr double kRounding = 4e-6;
 // Two lines closer than this are one: a plane along the light must not keep every line it has.
 constexpr double kStraight_m = 1e-9;
 
+// A narrower band is not worth a thread.
+constexpr std::size_t kLeastBeamsInBand = 32;
+
 // What all strips of a cast share.
 struct Cast {
     const RayMarch& march;
@@ -76,6 +80,8 @@ struct Cast {
     double slope; // cells sideways per line
     double drop_m;
     std::ptrdiff_t sideways;    // 1 when light moves towards higher cells, else -1
+    std::size_t first_line;     // with nothing before it
+    std::size_t first_answered; // line
     std::size_t lines_per_tilt; // lines between two lowerings of the front
     float slack_m;
 };
@@ -97,13 +103,14 @@ public:
             begin_line(lines, i);
             Answer* const out = answers + static_cast<std::ptrdiff_t>(i) * answer_step
                                 - static_cast<std::ptrdiff_t>(lines.first_cell);
+            const bool answered = v_ >= cast_.first_answered;
             if constexpr (std::is_same_v<Answer, float>)
-                for (std::ptrdiff_t cell = cells_.first; cell < cells_.last; ++cell)
+                for (std::ptrdiff_t cell = cells_.first; answered && cell < cells_.last; ++cell)
                     out[cell] = shadow_height_m(cell);
             std::uint8_t* lit = nullptr;
-            if constexpr (std::is_same_v<Answer, Lit>) {
-                lit = as_bytes(out);
-            } else {
+            if constexpr (std::is_same_v<Answer, Lit>)
+                lit = answered ? as_bytes(out) : nullptr;
+            if (lit == nullptr) {
                 unused_lit_.resize(lines.cells);
                 lit = unused_lit_.data();
             }
@@ -120,7 +127,7 @@ private:
         shift_ = lines.shifts[i];
         heights_ = lines.heights + static_cast<std::ptrdiff_t>(i) * lines.line_step
                    - static_cast<std::ptrdiff_t>(lines.first_cell);
-        before_ = v_ > 0 && cast_.slope > 0.0 ? heights_ - lines.line_step : nullptr;
+        before_ = v_ > cast_.first_line && cast_.slope > 0.0 ? heights_ - lines.line_step : nullptr;
         next_heights_ = i + 1 < lines.lines ? heights_ + lines.line_step : heights_;
         const auto cells = static_cast<std::ptrdiff_t>(cast_.heights.cells);
         const std::ptrdiff_t moved = cast_.sideways * shift_.whole;
@@ -564,16 +571,15 @@ float highest_magnitude(const Kernels& kernels, const HeightField& field, const 
 }
 
 template <typename Answer>
-Grid<Answer> cast_all(const HeightField& field, const DirectionalLight& light, const Execution& execution,
-                      const Kernels& kernels)
+void cast_part(const HeightField& field, const DirectionalLight& light, double highest_m,
+               const BeamPart& part, GridView<Answer> answers, const Execution& execution,
+               const Kernels& kernels)
 {
-    Grid<Answer> answers(field.rows(), field.columns());
-    if (answers.empty())
-        return answers;
     const LightFrame frame = light_frame(light, field.cell_size_m);
     const auto heights = in_light_order(field.heights_m, frame);
-    const auto out = in_light_order(answers.view(), frame);
-    const double highest_m = highest_magnitude(kernels, field, execution);
+    const std::size_t lines_there = part.last_line - part.first_line;
+    const auto heights_there = heights.part(part.first_line, lines_there);
+    const auto out = in_light_order(answers, frame).part(part.first_line, lines_there);
     const double drop_m = std::min(frame.drop_m, kSteepestDrop_m);
     const double lines_per_tilt = std::clamp(std::floor(highest_m / drop_m), 1.0, 1048576.0);
     const RayMarch march(field, light, {-static_cast<float>(highest_m), static_cast<float>(highest_m)});
@@ -583,37 +589,70 @@ Grid<Answer> cast_all(const HeightField& field, const DirectionalLight& light, c
                     frame.lateral,
                     std::abs(frame.lateral),
                     drop_m,
-                    frame.lateral < 0.0 ? -1 : 1,
+                    sideways_of(frame),
+                    part.first_line,
+                    part.first_answered,
                     static_cast<std::size_t>(lines_per_tilt),
                     static_cast<float>(kRounding * (highest_m + drop_m * lines_per_tilt))};
 
-    const auto shifts = beam_shifts(frame.lateral, 0, heights.lines);
-    const std::ptrdiff_t drift = shifts.back().whole;
+    const auto shifts = beam_shifts(frame.lateral, part.first_line, lines_there);
     StripLines all;
     all.cells = heights.cells;
-    all.lines = heights.lines;
+    all.first_line = part.first_line;
+    all.lines = lines_there;
     all.shifts = shifts.data();
     all.sideways = cast.sideways;
-    all.first_beam = cast.sideways > 0 ? -drift : 0;
-    all.last_beam = static_cast<std::ptrdiff_t>(heights.cells) + (cast.sideways > 0 ? 0 : drift);
+    all.first_beam = part.first_beam;
+    all.last_beam = part.last_beam;
 
     const std::size_t threads = thread_count(execution);
-    const auto bands =
-        bands_of_equal_work(all, threads == 1 ? 1 : kBandsPerThread * threads, heights.cell_step == 1);
+    const auto wide_enough =
+        static_cast<std::size_t>(part.last_beam - part.first_beam) / kLeastBeamsInBand + 1;
+    const std::size_t wanted = threads == 1 ? 1 : std::min(kBandsPerThread * threads, wide_enough);
+    const auto bands = bands_of_equal_work(all, wanted, heights.cell_step == 1);
     for_rows(bands.size(), 1, execution, [&](std::size_t i, std::size_t) {
         const Band& band = bands[i];
         std::vector<FrontStrip> fronts;
         for (std::size_t k = 0; k + 1 < band.size(); ++k)
             fronts.emplace_back(cast, band[k], band[k + 1]);
-        walk_band<1>(kernels, all, band, heights, out,
-                     [&](std::size_t k, const StripLines& lines, Answer* to, std::ptrdiff_t step) {
-                         fronts[k].carry(lines, to, step);
-                     });
+        const auto carry = [&](std::size_t k, const StripLines& lines, Answer* to, std::ptrdiff_t step) {
+            fronts[k].carry(lines, to, step);
+        };
+        walk_band<1>(kernels, all, band, heights_there, out, carry, part.first_answered - part.first_line);
     });
+}
+
+template <typename Answer>
+Grid<Answer> cast_all(const HeightField& field, const DirectionalLight& light, const Execution& execution,
+                      const Kernels& kernels)
+{
+    Grid<Answer> answers(field.rows(), field.columns());
+    if (answers.empty())
+        return answers;
+    const BeamPart all = all_beams(field, light_frame(light, field.cell_size_m));
+    cast_part(field, light, highest_magnitude(kernels, field, execution), all, answers.view(), execution,
+              kernels);
     return answers;
 }
 
 } // namespace
+
+BeamPart all_beams(const HeightField& field, const LightFrame& frame)
+{
+    const std::size_t lines = frame.lines_are_rows ? field.rows() : field.columns();
+    const std::size_t cells = frame.lines_are_rows ? field.columns() : field.rows();
+    const std::ptrdiff_t drift = kernels::beam_shift(frame.lateral, lines - 1).whole;
+    const bool towards_higher = sideways_of(frame) > 0;
+    return {0, 0, lines, towards_higher ? -drift : 0,
+            static_cast<std::ptrdiff_t>(cells) + (towards_higher ? 0 : drift)};
+}
+
+void cast_exact_part(const HeightField& field, const DirectionalLight& light, double highest_m,
+                     const BeamPart& part, GridView<Lit> mask, const Execution& execution,
+                     const Kernels& kernels)
+{
+    cast_part(field, light, highest_m, part, mask, execution, kernels);
+}
 
 ShadowMask cast_by_exact(const HeightField& field, const DirectionalLight& light, const Execution& execution)
 {
