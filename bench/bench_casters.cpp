@@ -10,6 +10,7 @@
 
 #include <duskline/casting/casters.h>
 #include <duskline/casting/kernels/kernels.h>
+#include <duskline/casting/terrain_shadows.h>
 #include <duskline/execution/for_rows.h>
 #include <duskline/terrain/synthetic_terrain.h>
 
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -170,6 +172,106 @@ void add_caster(const Caster& caster, const Scene& scene, std::size_t threads)
         ->Unit(benchmark::kMillisecond);
 }
 
+// A day's worth of suns: from one side to the other, low at first and last, along rows and columns and between.
+std::vector<DirectionalLight> suns_of_a_day(std::size_t count)
+{
+    std::vector<DirectionalLight> suns;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+        suns.push_back({Angle::from_degrees(60.0 + 240.0 * share),
+                        Angle::from_degrees(60.0 * std::sin(share * Angle::from_degrees(180.0).radians()))});
+    }
+    return suns;
+}
+
+// Beside what the same masks cost from scratch, cast in turn.
+void report(benchmark::State& state, std::size_t threads, const std::vector<double>& own_ms,
+            const std::vector<double>& scratch_ms)
+{
+    state.counters["median_ms"] = median(own_ms);
+    state.counters["scratch_ms"] = median(scratch_ms);
+    state.counters["x_scratch"] = median(own_ms) / median(scratch_ms);
+    state.SetLabel(std::string(kernels::active_kernels().isa) + ", threads " + std::to_string(threads));
+}
+
+// Many suns over one terrain, set-up included, beside as many calls of cast_by_exact.
+void add_day(std::size_t side, std::size_t count, std::size_t threads)
+{
+    const auto cast_day = [=](benchmark::State& state) {
+        const Terrain& terrain = mountains(side);
+        const std::vector<DirectionalLight> suns = suns_of_a_day(count);
+        const Execution execution{.threads = threads};
+        TerrainShadows checked(terrain, execution);
+        for (const DirectionalLight& sun : suns)
+            if (share_wrong(checked.cast(sun, execution), cast_by_exact(terrain, sun, execution)) > 0.0) {
+                state.SkipWithError("not the mask of cast_by_exact");
+                return;
+            }
+        std::vector<double> days_ms;
+        std::vector<double> scratch_ms;
+        for (auto _ : state) {
+            std::optional<TerrainShadows> shadows;
+            days_ms.push_back(milliseconds([&] { shadows.emplace(terrain, execution); }));
+            scratch_ms.push_back(0.0);
+            for (const DirectionalLight& sun : suns) {
+                scratch_ms.back() +=
+                    milliseconds([&] { benchmark::DoNotOptimize(cast_by_exact(terrain, sun, execution)); });
+                days_ms.back() +=
+                    milliseconds([&] { benchmark::DoNotOptimize(shadows->cast(sun, execution)); });
+            }
+            state.SetIterationTime(days_ms.back() / 1000.0);
+        }
+        report(state, threads, days_ms, scratch_ms);
+    };
+    const std::string name =
+        "day/" + std::to_string(count) + "/" + std::to_string(side) + "/j:" + std::to_string(threads);
+    benchmark::RegisterBenchmark(name.c_str(), cast_day)->UseManualTime()->Unit(benchmark::kMillisecond);
+}
+
+// A square of ground raised and lowered in turn, beside a whole cast.
+void add_edit(const Scene& scene, std::size_t edited, std::size_t threads)
+{
+    const auto edit_and_recast = [=](benchmark::State& state) {
+        Terrain terrain{mountains(scene.side).heights_m.copy(), mountains(scene.side).cell_size_m};
+        const DirectionalLight light{Angle::from_degrees(scene.azimuth), Angle::from_degrees(scene.altitude)};
+        const Execution execution{.threads = threads};
+        const std::size_t first = scene.side / 2;
+        float by_m = 50.0f;
+        const auto edit = [&] {
+            for (std::size_t y = first; y < first + edited; ++y)
+                for (float& height_m : terrain.heights_m.row(y).subspan(first, edited))
+                    height_m += by_m;
+            by_m = -by_m;
+        };
+        TerrainShadows shadows(terrain, execution);
+        shadows.cast(light, execution);
+        std::vector<double> edits_ms;
+        std::vector<double> scratch_ms;
+        std::size_t cells = 0;
+        for (auto _ : state) {
+            edit();
+            edits_ms.push_back(milliseconds([&] {
+                cells = shadows.heights_changed({first, first, edited, edited}, execution);
+            }));
+            ShadowMask scratch;
+            scratch_ms.push_back(milliseconds([&] { scratch = cast_by_exact(terrain, light, execution); }));
+            if (share_wrong(shadows.mask(), scratch) > 0.0) {
+                state.SkipWithError("not the mask of cast_by_exact");
+                return;
+            }
+            state.SetIterationTime(edits_ms.back() / 1000.0);
+        }
+        report(state, threads, edits_ms, scratch_ms);
+        state.counters["cells_%"] =
+            100.0 * static_cast<double>(cells) / static_cast<double>(shadows.mask().size());
+    };
+    benchmark::RegisterBenchmark(name_of("edit/" + std::to_string(edited), scene, threads).c_str(),
+                                 edit_and_recast)
+        ->Iterations(30) // each is cast from scratch as well
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+}
+
 void add_all()
 {
     const std::size_t all = thread_count({});
@@ -181,6 +283,11 @@ void add_all()
         for (const double altitude : {20.0, 5.0})
             add_caster(caster, {caster.name == "ray" ? std::size_t{512} : std::size_t{2048}, 203.0, altitude},
                        all);
+    for (const std::size_t threads : {std::size_t{1}, all}) {
+        add_day(2048, 96, threads);
+        for (const double azimuth : {203.0, 270.0, 315.0})
+            add_edit({2048, azimuth, 20.0}, 64, threads);
+    }
 }
 
 } // namespace
