@@ -163,6 +163,23 @@ TEST(TerrainShadows, CastOnlyWhatAnEditCanChange)
     EXPECT_EQ(shadows.heights_changed({300, 400, 20, 20}), 400U) << "at night only the edit itself";
 }
 
+TEST(TerrainShadows, TakeAwayTheShadowOfGroundThatIsGone)
+{
+    // The tower's shadow is far longer than any the ground that is left could cast.
+    for (const double azimuth : {0.0, 100.0, 225.0, 330.0}) {
+        Terrain terrain{Grid<float>(200, 200, 10.0f), {30.0, 30.0}};
+        const DirectionalLight sun = sun_at(azimuth, 15.0);
+        terrain.heights_m(100, 90) = 600.0f;
+        TerrainShadows shadows(terrain);
+        shadows.cast(sun);
+        for (const float height_m : {10.0f, 700.0f, kNoData, 500.0f, 0.0f}) {
+            terrain.heights_m(100, 90) = height_m;
+            shadows.heights_changed({100, 90, 1, 1});
+            EXPECT_TRUE(same_as_from_scratch(shadows, terrain, sun)) << "height " << height_m;
+        }
+    }
+}
+
 TEST(TerrainShadows, SeeAWindowOfALargerTerrain)
 {
     Dice dice(5);
