@@ -146,7 +146,7 @@ void settle_place(GDALDataset& dataset, const ReadOptions& options, HeightFileFa
 std::optional<HeightUnit> unit_in_file(GDALDataset& dataset, GDALRasterBand& band, HeightFileFacts& facts)
 {
     const std::string written = band.GetUnitType();
-    if (const auto unit = height_unit_written(written))
+    if (auto unit = height_unit_written(written))
         return unit;
     if (!written.empty())
         facts.warnings.push_back("heights are in '" + on_one_line(written)
@@ -161,7 +161,7 @@ HeightUnit settle_unit(GDALDataset& dataset, GDALRasterBand& band, const ReadOpt
                        HeightFileFacts& facts)
 {
     if (options.metres_per_unit) {
-        const HeightUnit unit = height_unit_of(*options.metres_per_unit);
+        HeightUnit unit = height_unit_of(*options.metres_per_unit);
         facts.notes.push_back("heights in " + unit.name + ", as asked");
         return unit;
     }

@@ -100,7 +100,7 @@ void StagedOutput::require_replaceable() const
 
 std::string StagedOutput::make_scratch_folder(const std::string& name) const
 {
-    const std::string folder = scratch_path(name);
+    std::string folder = scratch_path(name);
     if (mkdir(folder.c_str(), 0777) != 0)
         refuse(shown_, std::strerror(errno));
     return folder;
