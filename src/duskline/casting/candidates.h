@@ -12,6 +12,17 @@
 
 namespace duskline {
 
+/// The front where no ground has passed under a beam yet, and what is above it where some has: heights, or a lamp's
+/// slopes. Finite: brackets are differences.
+inline constexpr float kNoGround = -1.0e30f;
+inline constexpr float kSeenGround = -1.0e20f;
+
+/// A bracket that says nothing.
+inline constexpr float kWideOpen = 1.0e30f;
+
+/// Two lines closer than this are one: a plane along the light must not keep every line it has.
+inline constexpr double kStraight_m = 1e-9;
+
 /// Candidates of a unit beyond which it is worth to look for those that others hide.
 inline constexpr std::uint32_t kManyCandidates = 16;
 

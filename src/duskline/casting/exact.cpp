@@ -31,6 +31,7 @@
 #include <duskline/casting/candidates.h>
 #include <duskline/casting/exact.h>
 #include <duskline/casting/exact_front.h>
+#include <duskline/casting/greatest_magnitude.h>
 #include <duskline/casting/kernels/kernels.h>
 #include <duskline/casting/ray_march.h>
 #include <duskline/execution/for_rows.h>
@@ -52,21 +53,11 @@ using kernels::Kernels;
 using kernels::OpenCell;
 using kernels::StripLines;
 
-// No ground has passed under a beam yet. Finite: brackets are differences.
-constexpr float kNoGround_m = -1.0e30f;
-constexpr float kSeenGround_m = -1.0e20f;
-
-// A bracket that says nothing.
-constexpr float kWideOpen_m = 1.0e30f;
-
 // Steeper light than this shades nothing; more would overflow the tilt.
 constexpr double kSteepestDrop_m = 1.0e15;
 
 // What float rounding can be wrong by, as a share of the greatest height in the sum: some forty roundings.
 constexpr double kRounding = 4e-6;
-
-// Two lines closer than this are one: a plane along the light must not keep every line it has.
-constexpr double kStraight_m = 1e-9;
 
 // A narrower band is not worth a thread.
 constexpr std::size_t kLeastBeamsInBand = 32;
@@ -91,7 +82,7 @@ class FrontStrip {
 public:
     FrontStrip(const Cast& cast, std::ptrdiff_t first_beam, std::ptrdiff_t last_beam)
         : cast_(cast), first_beam_(first_beam), last_beam_(last_beam),
-          front_m_(static_cast<std::size_t>(last_beam - first_beam) + 2, kNoGround_m), next_m_(front_m_),
+          front_m_(static_cast<std::size_t>(last_beam - first_beam) + 2, kNoGround), next_m_(front_m_),
           above_m_(front_m_.size(), 0.0f), below_m_(front_m_.size(), 0.0f), base_(front_m_.size(), -1),
           candidates_(front_m_.size())
     {}
@@ -388,7 +379,7 @@ private:
         const std::size_t far = far_slot(unit);
         for (const Raise end : {Raise{unit, static_cast<float>(nearer.height_m)},
                                 Raise{far, static_cast<float>(farther.height_m)}})
-            if (next_m_[end.slot] < kSeenGround_m)
+            if (next_m_[end.slot] < kSeenGround)
                 raise_front(end);
         const auto over_chord = [&](Piece::Knot knot) {
             return knot.height_m - (next_m_[unit] + (next_m_[far] - next_m_[unit]) * knot.place);
@@ -520,7 +511,7 @@ private:
         const double near_m = next_m_[unit];
         const double far_m = cast_.slope == 0.0 ? near_m : next_m_[far_slot(unit)];
         double above_m = 0.0;
-        double below_m = kWideOpen_m;
+        double below_m = kWideOpen;
         for (const auto& candidate : pieces)
             for (const Piece& piece : candidate) {
                 double deepest_m = 0.0;
@@ -559,16 +550,6 @@ private:
     const float* before_ = nullptr;  // the line before; null where column lines do not matter
     const float* next_heights_ = nullptr;
 };
-
-float highest_magnitude(const Kernels& kernels, const HeightField& field, const Execution& execution)
-{
-    std::vector<float> highest(field.rows(), 0.0f);
-    for_rows(field.rows(), 64, {.threads = execution.threads}, [&](std::size_t first, std::size_t last) {
-        for (std::size_t y = first; y < last; ++y)
-            highest[y] = kernels.highest_magnitude(field.heights_m.row(y).data(), field.columns());
-    });
-    return highest.empty() ? 0.0f : std::ranges::max(highest);
-}
 
 template <typename Answer>
 void cast_part(const HeightField& field, const DirectionalLight& light, double highest_m,
@@ -630,7 +611,7 @@ Grid<Answer> cast_all(const HeightField& field, const DirectionalLight& light, c
     if (answers.empty())
         return answers;
     const BeamPart all = all_beams(field, light_frame(light, field.cell_size_m));
-    cast_part(field, light, highest_magnitude(kernels, field, execution), all, answers.view(), execution,
+    cast_part(field, light, greatest_magnitude_m(kernels, field, execution), all, answers.view(), execution,
               kernels);
     return answers;
 }

@@ -46,11 +46,6 @@ using kernels::LampCells;
 using kernels::LampLine;
 using kernels::OpenCell;
 
-// As in exact.cpp: no ground has passed under a beam yet.
-constexpr float kNoGround = -1.0e30f;
-constexpr float kSeenGround = -1.0e20f;
-constexpr float kWideOpen = 1.0e30f;
-
 // Beams between b = 0 and 1 at least.
 constexpr double kFewestBeams = 16.0;
 
@@ -74,9 +69,6 @@ constexpr double kWidest = 1.25;
 
 // Cells on a strip's longest line.
 constexpr std::size_t kCellsPerStrip = 1024;
-
-// Lines closer than this, in metres, are one.
-constexpr double kStraight_m = 1e-9;
 
 // What is this close to a beam, in units, may be met by rays on the other side of it.
 constexpr double kBesideBeam = 1e-4;

@@ -19,6 +19,7 @@
 #endif
 
 #include <duskline/casting/kernels/kernels.h>
+#include <duskline/casting/kernels/open_cells-inl.h>
 #include <duskline/casting/kernels/sweep_lines-inl.h>
 
 #include <hwy/cache_control.h>
@@ -127,13 +128,7 @@ HWY_INLINE std::size_t bracket_cells(D d, const BracketLine& line, std::size_t i
         hn::Or(hn::Or(hn::IfThenElseZero(hn::RebindMask(di, unanswered), hn::Set(di, OpenCell::kUnanswered)),
                       hn::IfThenElseZero(hn::RebindMask(di, unplaced), hn::Set(di, OpenCell::kUnplaced))),
                hn::IfThenElseZero(hn::RebindMask(di, rises), hn::Set(di, OpenCell::kRises)));
-    HWY_ALIGN std::int32_t lanes[hn::MaxLanes(hn::ScalableTag<float>())];
-    hn::Store(flags, di, lanes);
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-        if (lanes[lane] != 0)
-            line.open[found++] = {static_cast<std::uint32_t>(i + lane),
-                                  static_cast<std::uint32_t>(lanes[lane])};
-    return found;
+    return list_open(di, flags, i, line.open, found);
 }
 
 inline std::size_t bracket_line(const BracketLine& line, std::size_t cells)

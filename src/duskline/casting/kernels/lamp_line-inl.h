@@ -19,6 +19,7 @@
 #endif
 
 #include <duskline/casting/kernels/kernels.h>
+#include <duskline/casting/kernels/open_cells-inl.h>
 
 #include <hwy/highway.h>
 
@@ -141,13 +142,7 @@ HWY_INLINE std::size_t bracket_units(D d, const LampLine& line, std::size_t i, s
     const auto flags =
         hn::Or(hn::IfThenElseZero(hn::RebindMask(di, unanswered), hn::Set(di, OpenCell::kUnanswered)),
                hn::IfThenElseZero(hn::RebindMask(di, unplaced), hn::Set(di, OpenCell::kUnplaced)));
-    HWY_ALIGN std::int32_t each[hn::MaxLanes(hn::ScalableTag<float>())];
-    hn::Store(flags, di, each);
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-        if (each[lane] != 0)
-            line.open[found++] = {static_cast<std::uint32_t>(i + lane),
-                                  static_cast<std::uint32_t>(each[lane])};
-    return found;
+    return list_open(di, flags, i, line.open, found);
 }
 
 inline std::size_t bracket_lamp_line(const LampLine& line, std::size_t units)
