@@ -1,10 +1,14 @@
+#include "terrains.h"
+
 #include <duskline/terrain/normals.h>
 #include <duskline/terrain/synthetic_terrain.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace duskline {
@@ -98,6 +102,76 @@ TEST(Normals, TheNormalStandsOnTheGround)
     EXPECT_NEAR(dot(normal, {1.0, 0.0, 1.0}), 0.0, 1e-15);
     EXPECT_NEAR(dot(normal, {0.0, 1.0, -2.0}), 0.0, 1e-15);
     EXPECT_GT(normal.z, 0.0);
+}
+
+TEST(NormalField, HoldsTheUnitNormalsOfHornsSlopesAndNothingWhereThereIsNoData)
+{
+    for_seeds(10, [](Dice& dice) {
+        const Terrain terrain = random_terrain(dice);
+        const NormalField normals = upward_normals(terrain, {.threads = 2});
+        for (std::size_t row = 0; row < terrain.heights_m.rows(); ++row)
+            for (std::size_t column = 0; column < terrain.heights_m.columns(); ++column) {
+                if (std::isnan(terrain.heights_m(row, column))) {
+                    ASSERT_TRUE(std::isnan(normals.east(row, column))
+                                && std::isnan(normals.north(row, column))
+                                && std::isnan(normals.up(row, column)));
+                    continue;
+                }
+                const Vector3 expected = upward_normal(slope_at(terrain, row, column));
+                ASSERT_NEAR(normals.east(row, column), expected.x, 1e-6);
+                ASSERT_NEAR(normals.north(row, column), expected.y, 1e-6);
+                ASSERT_NEAR(normals.up(row, column), expected.z, 1e-6);
+                ASSERT_GT(normals.up(row, column), 0.0f);
+            }
+    });
+}
+
+TEST(PackedNormal, ComesBackWithinTheAngleThatIsPromised)
+{
+    Dice dice(11);
+    double sum_deg = 0.0;
+    double worst_deg = 0.0;
+    constexpr int count = 200000;
+    for (int i = 0; i < count; ++i) {
+        // Slopes as mountains have them, and cliffs.
+        const Vector3 normal = upward_normal({dice.between(-3.0, 3.0), dice.between(-3.0, 3.0)});
+        const Vector3 back = unpacked(packed(normal));
+        const double error_deg =
+            std::asin(std::min(1.0, length(back - normal) / 2.0)) * 360.0 / std::numbers::pi;
+        sum_deg += error_deg;
+        worst_deg = std::max(worst_deg, error_deg);
+    }
+    EXPECT_LT(worst_deg, 0.4);
+    EXPECT_GT(worst_deg, 0.3);
+    EXPECT_NEAR(sum_deg / count, 0.17, 0.01);
+}
+
+TEST(PackedNormal, KeepsTheAxesAndNoData)
+{
+    EXPECT_EQ(packed({0.0, 0.0, 1.0}), (PackedNormal{0, 0, 127}));
+    EXPECT_EQ(packed({-1.0, 0.0, 0.0}), (PackedNormal{-127, 0, 0}));
+    EXPECT_DOUBLE_EQ(unpacked({0, 0, 127}).z, 1.0);
+    EXPECT_EQ(packed(unpacked({0, 0, 0})), (PackedNormal{0, 0, 0}));
+    EXPECT_TRUE(std::isnan(unpacked({0, 0, 0}).z));
+}
+
+TEST(PackedNormal, AFieldThroughBytesHoldsWhatEachNormalBecomes)
+{
+    Dice dice(5);
+    const Terrain terrain = random_terrain(dice, {.smallest = 20, .largest = 30});
+    const NormalField normals = upward_normals(terrain);
+    const NormalField back = through_bytes(normals);
+    for (std::size_t i = 0; i < normals.up.size(); ++i) {
+        const Vector3 expected =
+            unpacked(packed({normals.east.values()[i], normals.north.values()[i], normals.up.values()[i]}));
+        if (std::isnan(expected.z)) {
+            ASSERT_TRUE(std::isnan(back.up.values()[i]));
+            continue;
+        }
+        ASSERT_FLOAT_EQ(back.east.values()[i], static_cast<float>(expected.x));
+        ASSERT_FLOAT_EQ(back.north.values()[i], static_cast<float>(expected.y));
+        ASSERT_FLOAT_EQ(back.up.values()[i], static_cast<float>(expected.z));
+    }
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include <duskline/execution/for_rows.h>
 #include <duskline/terrain/normals.h>
 
 #include <cassert>
@@ -7,6 +8,14 @@
 namespace duskline {
 
 namespace {
+
+constexpr std::size_t kRowsPerPiece = 16;
+constexpr double kPackedOne = 127.0; // the byte that stands for 1
+
+NormalField unset_normals(std::size_t rows, std::size_t columns)
+{
+    return {Grid<float>(rows, columns), Grid<float>(rows, columns), Grid<float>(rows, columns)};
+}
 
 // Differences first: neighbouring heights are so alike that theirs are exact, or nearly so, in float.
 float weighted(float first, float middle, float last)
@@ -99,6 +108,62 @@ void slopes_of_row(const HeightField& field, std::size_t row, std::span<float> d
     for (std::size_t x = 1; x + 1 < columns; ++x)
         if (std::isnan(dz_dx[x] + dz_dy[x] + here[x]))
             slowly(x);
+}
+
+NormalField upward_normals(const HeightField& field, const Execution& execution)
+{
+    require_valid(field);
+    NormalField normals = unset_normals(field.rows(), field.columns());
+    for_rows(field.rows(), kRowsPerPiece, execution, [&](std::size_t first, std::size_t last) {
+        for (std::size_t row = first; row < last; ++row) {
+            const auto east = normals.east.row(row);
+            const auto north = normals.north.row(row);
+            const auto up = normals.up.row(row);
+            slopes_of_row(field, row, east, north);
+            for (std::size_t x = 0; x < up.size(); ++x) {
+                up[x] = 1.0f / std::sqrt(1.0f + east[x] * east[x] + north[x] * north[x]);
+                east[x] *= -up[x];
+                north[x] *= -up[x];
+            }
+        }
+    });
+    return normals;
+}
+
+PackedNormal packed(Vector3 normal)
+{
+    if (std::isnan(normal.z))
+        return {0, 0, 0};
+    const auto byte = [](double component) {
+        return static_cast<std::int8_t>(std::lround(kPackedOne * component));
+    };
+    return {byte(normal.x), byte(normal.y), byte(normal.z)};
+}
+
+Vector3 unpacked(PackedNormal bytes)
+{
+    if (bytes == PackedNormal{0, 0, 0}) {
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        return {nan, nan, nan};
+    }
+    return normalized(
+        {static_cast<double>(bytes[0]), static_cast<double>(bytes[1]), static_cast<double>(bytes[2])});
+}
+
+NormalField through_bytes(const NormalField& normals, const Execution& execution)
+{
+    NormalField result = unset_normals(normals.rows(), normals.columns());
+    for_rows(normals.rows(), kRowsPerPiece, execution, [&](std::size_t first, std::size_t last) {
+        for (std::size_t row = first; row < last; ++row)
+            for (std::size_t x = 0; x < normals.columns(); ++x) {
+                const Vector3 back =
+                    unpacked(packed({normals.east(row, x), normals.north(row, x), normals.up(row, x)}));
+                result.east(row, x) = static_cast<float>(back.x);
+                result.north(row, x) = static_cast<float>(back.y);
+                result.up(row, x) = static_cast<float>(back.z);
+            }
+    });
+    return result;
 }
 
 } // namespace duskline

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <duskline/execution/progress.h>
 #include <duskline/geometry/vector.h>
 #include <duskline/terrain/height_field.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace duskline {
@@ -38,5 +41,29 @@ inline Vector3 upward_normal(Slope slope)
 {
     return normalized({-slope.dz_dx, -slope.dz_dy, 1.0});
 }
+
+/// The upward unit normal of every cell, one plane for each component; NaN in all three where there is no data,
+/// and `up` above 0 elsewhere. Made once, it serves any number of lights.
+struct NormalField {
+    Grid<float> east;
+    Grid<float> north;
+    Grid<float> up;
+
+    std::size_t rows() const { return up.rows(); }
+    std::size_t columns() const { return up.columns(); }
+};
+
+/// The normals of Horn's slopes, to a few units in the last place of a float. Throws InvalidInput for cell sizes out
+/// of range, Cancelled. Some nanoseconds and 12 bytes a cell.
+NormalField upward_normals(const HeightField& field, const Execution& execution = {});
+
+/// A unit normal in three signed bytes, 127 for 1; (0, 0, 0) stands for no data. What comes back, made a unit vector
+/// again, lies within 0.4 degrees of what went in, 0.17 on average.
+using PackedNormal = std::array<std::int8_t, 3>;
+PackedNormal packed(Vector3 normal);
+Vector3 unpacked(PackedNormal bytes);
+
+/// What the normals are after they were packed to bytes and unpacked.
+NormalField through_bytes(const NormalField& normals, const Execution& execution = {});
 
 } // namespace duskline
