@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-tools/install_dependencies.sh build test
+tools/install_dependencies.sh build run test
 cmake --preset dev
 cmake --build --preset dev --parallel "$(nproc)"
 ctest --preset dev --output-on-failure --parallel "$(nproc)" "$@"

@@ -1,5 +1,5 @@
 # What `cmake --install` puts where: libraries with their headers, a CMake package and pkg-config files. Parts that
-# this build lacks (files) are left out. The command and its manual pages are installed by apps/duskline.
+# this build lacks (files, OpenGL) are left out. The command and its manual pages are installed by apps/duskline.
 include(CMakePackageConfigHelpers)
 
 set(duskline_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/duskline)
@@ -43,6 +43,15 @@ if(TARGET duskline_raster_io)
     DESCRIPTION "Elevation files for Duskline, read and written with GDAL"
     REQUIRES "duskline = ${PROJECT_VERSION}"
     DEPENDENCIES gdal)
+endif()
+
+if(TARGET duskline_gl)
+  set_target_properties(duskline_gl PROPERTIES INSTALL_RPATH "$ORIGIN")
+  duskline_install_library(duskline_gl
+    EXPORT_NAME gl
+    DESCRIPTION "Terrain shadows in OpenGL, for Duskline"
+    REQUIRES "duskline = ${PROJECT_VERSION}"
+    DEPENDENCIES epoxy)
 endif()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/dusklineConfig.cmake.in

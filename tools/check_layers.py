@@ -21,7 +21,7 @@ MAY_INCLUDE = {
     # Files know grids, heights and masks, report progress, and turn the sun's azimuth to the raster's north.
     "raster_io": {"geometry", "execution", "terrain", "light", "casting"},
     "planet": {"geometry", "terrain"},
-    "gl": {"geometry", "terrain", "light"},
+    "gl": {"geometry", "execution", "terrain", "light", "casting"},
 }
 
 # Include lines of a library -> the one folder of src/duskline or apps that may have them.

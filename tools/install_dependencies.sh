@@ -3,14 +3,17 @@
 #
 # usage: tools/install_dependencies.sh [GROUP...]
 #   build   to build the libraries and the command
+#   run     to run what uses OpenGL without a graphics card's own driver, too: Mesa's
 #   test    to build and run the tests and benchmarks besides
 #   check   to check format and names besides (clang-format and clang-tidy)
-# Without a group: build and test.
+# Without a group: build, run and test.
 set -euo pipefail
 
 build=(g++ make cmake ninja-build pkg-config libtbb-dev libhwy-dev libgdal-dev liberfa-dev libcli11-dev
-       libfmt-dev nlohmann-json3-dev)
-test=(git python3 groff-base libgtest-dev libgmock-dev libbenchmark-dev gdal-bin proj-bin clang-format)
+       libfmt-dev nlohmann-json3-dev libepoxy-dev libegl-dev)
+run=(libegl1 libgl1-mesa-dri libopengl0)
+test=(git python3 groff-base libgtest-dev libgmock-dev libbenchmark-dev gdal-bin proj-bin clang-format
+      glslang-tools libglm-dev)
 check=(clang clang-format clang-tidy)
 
 stop() {
@@ -19,13 +22,14 @@ stop() {
 }
 
 wanted=()
-[ $# -gt 0 ] || set -- build test
+[ $# -gt 0 ] || set -- build run test
 for group in "$@"; do
     case $group in
     build) wanted+=("${build[@]}") ;;
+    run) wanted+=("${run[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     check) wanted+=("${check[@]}") ;;
-    *) stop "no group is called '$group'; there are: build, test, check" ;;
+    *) stop "no group is called '$group'; there are: build, run, test, check" ;;
     esac
 done
 
