@@ -8,8 +8,8 @@ namespace duskline::gl {
 // window, an engine) or a HeadlessContext. It must be OpenGL 4.3 core or later. Objects belong to the context they
 // were made in and are used by one thread at a time.
 //
-// What is uploaded, drawn or computed leaves bindings that OpenGL needs for it as they were, unless a function is
-// called bind, use or clear.
+// Functions leave bindings and the current program as they found them, unless they are called bind or use; a technique
+// says which texture, image and buffer units it takes.
 
 /// What the current context says of itself.
 struct ContextInfo {

@@ -18,6 +18,12 @@ inline const std::vector<ShaderVariant>& shader_variants()
 {
     static const std::vector<ShaderVariant> variants = {
         {"full_screen.vert.glsl"},
+        {"sweep_answers.comp.glsl", {{"DUSKLINE_LIMBS", "1"}}},
+        {"sweep_answers.comp.glsl", {{"DUSKLINE_LIMBS", "2"}}},
+        {"sweep_fronts.comp.glsl", {{"DUSKLINE_LIMBS", "1"}}},
+        {"sweep_fronts.comp.glsl", {{"DUSKLINE_LIMBS", "2"}}},
+        {"sweep_segments.comp.glsl", {{"DUSKLINE_LIMBS", "1"}}},
+        {"sweep_segments.comp.glsl", {{"DUSKLINE_LIMBS", "2"}}},
     };
     return variants;
 }

@@ -1,0 +1,33 @@
+// First pass of the sweep (sweep_answers.comp.glsl): for each segment of lines and each beam, the highest ground on
+// those lines alone, as a front that begins empty.
+
+#version 430 core
+layout(local_size_x = 64) in;
+#include "sweep_beams.glsl"
+
+void main()
+{
+    int slot = int(gl_GlobalInvocationID.x);
+    if (slot >= beams)
+        return;
+    int beam = first_beam + slot;
+    int segment = int(gl_GlobalInvocationID.y);
+    int first = segment * lines_per_segment;
+    int last = min(first + lines_per_segment, lines);
+    FRONT at = kNoShadow_m;
+    FRONT half_back = kNoShadow_m;
+    if (meets_grid(beam, first, last))
+        for (int line = first; line < last; ++line) {
+            if (is_lowered_at(line)) {
+                at = lowered(at);
+                half_back = lowered(half_back);
+            }
+            FRONT tilt = tilt_at(line);
+            float fraction = shifts[line].fraction;
+            Ground ground = ground_at(line, beam + sideways * shifts[line].whole);
+            at = carried_at(at, ground, fraction, tilt);
+            half_back = carried_half_behind(half_back, ground, fraction, tilt);
+        }
+    // Where the next segment begins.
+    fronts[(segment + 1) * beams + slot] = FRONT_PAIR(at, half_back);
+}
