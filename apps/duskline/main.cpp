@@ -2,6 +2,7 @@
 #include "exit_code.h"
 #include "help_page.h"
 #include "interruption.h"
+#include "parse_arguments.h"
 #include "report.h"
 
 #include <fmt/format.h>
@@ -67,57 +68,10 @@ void require_command(const std::vector<std::string>& arguments)
                                      command_names()));
 }
 
-// " shadow" after "duskline", or nothing.
-std::string word_of(const CLI::App& app)
-{
-    return app.get_parent() ? " " + app.get_name() : "";
-}
-
-void reject_unknown(const CLI::App& app)
-{
-    const std::vector<std::string> unknown = app.remaining();
-    if (unknown.empty())
-        return;
-    const auto option = std::ranges::find_if(unknown, [](const auto& word) { return word.starts_with('-'); });
-    const std::string problem = option != unknown.end()
-                                    ? fmt::format("no option is called '{}'", *option)
-                                    : fmt::format("'{}' is one argument too many", unknown.front());
-    throw UsageError(fmt::format("{} (see duskline{} --help)", problem, word_of(app)));
-}
-
 const CLI::App& chosen(const CommandLine& line)
 {
     const auto commands = line.app.get_subcommands();
     return commands.empty() ? line.app : *commands.front();
-}
-
-// What CLI11 says about the number of values, as one would say it: "--azimuth: 1 required DEG missing".
-std::string in_plain_words(const CLI::ParseError& error)
-{
-    std::string text = error.what();
-    const std::size_t colon = text.find(':');
-    const bool counts_values = error.get_name() == "ArgumentMismatch" && colon != std::string::npos;
-    if (counts_values && text.ends_with("missing"))
-        return text.substr(0, colon) + " needs a value";
-    if (counts_values && text.find("At Most 1") != std::string::npos)
-        return text.substr(0, colon) + " may be given once";
-    return text;
-}
-
-// CLI11 takes its arguments last first.
-void parse(CommandLine& line, std::vector<std::string> arguments)
-{
-    std::ranges::reverse(arguments);
-    try {
-        line.app.parse(arguments);
-    } catch (const CLI::CallForHelp&) {
-        throw;
-    } catch (const CLI::CallForAllHelp&) {
-        throw;
-    } catch (const CLI::ParseError& error) {
-        throw UsageError(
-            fmt::format("{} (see duskline{} --help)", in_plain_words(error), word_of(chosen(line))));
-    }
 }
 
 void run(const std::vector<std::string>& arguments)
@@ -126,7 +80,7 @@ void run(const std::vector<std::string>& arguments)
     declare(line);
     require_command(arguments);
     try {
-        parse(line, arguments);
+        parse_arguments(line.app, arguments);
     } catch (const CLI::CallForHelp&) {
         return write_to_stdout(line.app.help());
     } catch (const CLI::CallForAllHelp&) {
@@ -153,6 +107,6 @@ int main(int argc, char** argv)
         run(std::vector<std::string>(argv + 1, argv + argc));
         return static_cast<int>(ExitCode::done);
     } catch (...) {
-        return report_failure();
+        return report_failure("duskline");
     }
 }

@@ -14,41 +14,41 @@
 namespace duskline::cli {
 namespace {
 
-int fail(ExitCode code, std::string text) noexcept
+int fail(std::string_view program, ExitCode code, std::string text) noexcept
 {
     // Libraries may pass on texts of several lines; an error is one line.
     std::ranges::replace(text, '\n', ' ');
-    std::fprintf(stderr, "duskline: %s\n", text.c_str());
+    std::fprintf(stderr, "%.*s: %s\n", static_cast<int>(program.size()), program.data(), text.c_str());
     return static_cast<int>(code);
 }
 
 } // namespace
 
-int report_failure() noexcept
+int report_failure(std::string_view program) noexcept
 {
     try {
         throw;
     } catch (const Cancelled&) {
-        fail(ExitCode::failed, "interrupted; nothing was written");
+        fail(program, ExitCode::failed, "interrupted; nothing was written");
         return exit_code_of_interruption();
     } catch (const UsageError& error) {
-        return fail(ExitCode::usage, error.what());
+        return fail(program, ExitCode::usage, error.what());
     } catch (const InvalidInput& error) {
-        return fail(ExitCode::usage, error.what());
+        return fail(program, ExitCode::usage, error.what());
     } catch (const StandardOutputError& error) {
-        return fail(ExitCode::output, error.what());
+        return fail(program, ExitCode::output, error.what());
     } catch (const InputError& error) {
-        return fail(ExitCode::input, error.what());
+        return fail(program, ExitCode::input, error.what());
     } catch (const OutputError& error) {
-        return fail(ExitCode::output, error.what());
+        return fail(program, ExitCode::output, error.what());
     } catch (const UnsupportedOnThisMachine& error) {
-        return fail(ExitCode::resources, error.what());
+        return fail(program, ExitCode::resources, error.what());
     } catch (const std::bad_alloc&) {
-        return fail(ExitCode::resources, "out of memory");
+        return fail(program, ExitCode::resources, "out of memory");
     } catch (const std::exception& error) {
-        return fail(ExitCode::failed, error.what());
+        return fail(program, ExitCode::failed, error.what());
     } catch (...) {
-        return fail(ExitCode::failed, "failed for an unknown reason");
+        return fail(program, ExitCode::failed, "failed for an unknown reason");
     }
 }
 

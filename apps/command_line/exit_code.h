@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string_view>
 
 namespace duskline::cli {
 
@@ -26,8 +27,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Says on one line of stderr why the exception now being handled ended the program, and returns its exit
-/// code. Call inside a catch block.
-int report_failure() noexcept;
+/// Says on one line of stderr, after the program's name, why the exception now being handled ended it, and returns its
+/// exit code. Call inside a catch block.
+int report_failure(std::string_view program) noexcept;
 
 } // namespace duskline::cli

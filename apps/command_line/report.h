@@ -13,7 +13,7 @@ namespace duskline::cli {
 /// --json, as one object that holds the notes and warnings too.
 class Report {
 public:
-    Report(std::string_view command, const RunOptions& options);
+    Report(std::string_view command, const RunOptions& options, std::string_view program = "duskline");
 
     /// Something assumed on the user's behalf. Shown with -v; always in the JSON.
     void note(std::string_view text);
@@ -40,6 +40,7 @@ public:
 
 private:
     RunOptions options_;
+    std::string program_; ///< whose name stands before notes and warnings
     std::string text_;
     nlohmann::ordered_json json_;
 };

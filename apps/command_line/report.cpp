@@ -8,7 +8,8 @@
 
 namespace duskline::cli {
 
-Report::Report(std::string_view command, const RunOptions& options) : options_(options)
+Report::Report(std::string_view command, const RunOptions& options, std::string_view program)
+    : options_(options), program_(program)
 {
     json_["command"] = command;
     json_["notes"] = nlohmann::json::array();
@@ -19,13 +20,14 @@ void Report::note(std::string_view text)
 {
     json_["notes"].push_back(text);
     if (options_.verbose)
-        std::fprintf(stderr, "duskline: note: %.*s\n", static_cast<int>(text.size()), text.data());
+        std::fprintf(stderr, "%s: note: %.*s\n", program_.c_str(), static_cast<int>(text.size()),
+                     text.data());
 }
 
 void Report::warn(std::string_view text)
 {
     json_["warnings"].push_back(text);
-    std::fprintf(stderr, "duskline: warning: %.*s\n", static_cast<int>(text.size()), text.data());
+    std::fprintf(stderr, "%s: warning: %.*s\n", program_.c_str(), static_cast<int>(text.size()), text.data());
 }
 
 void Report::line(std::string_view text)
