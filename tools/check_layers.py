@@ -20,6 +20,8 @@ MAY_INCLUDE = {
     "products": {"geometry", "execution", "terrain", "light", "casting"},
     # Files know grids, heights and masks, report progress, and turn the sun's azimuth to the raster's north.
     "raster_io": {"geometry", "execution", "terrain", "light", "casting"},
+    # Cameras and what of a terrain they see; no OpenGL.
+    "view": {"geometry", "execution", "terrain"},
     "planet": {"geometry", "terrain"},
     "gl": {"geometry", "execution", "terrain", "light", "casting"},
 }

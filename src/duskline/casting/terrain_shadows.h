@@ -2,19 +2,12 @@
 
 #include <duskline/casting/shadow_mask.h>
 #include <duskline/execution/progress.h>
+#include <duskline/geometry/cell_rectangle.h>
 
 #include <cstddef>
 #include <optional>
 
 namespace duskline {
-
-/// Cells of a grid: `rows` x `columns` of them from (first_row, first_column) on.
-struct CellRectangle {
-    std::size_t first_row = 0;
-    std::size_t first_column = 0;
-    std::size_t rows = 0;
-    std::size_t columns = 0;
-};
 
 /// The shadows of one terrain under a sun that moves, while the terrain is being edited: the bytes of
 /// `cast_by_exact`, always, in memory that is there already.
