@@ -1,7 +1,7 @@
 #include <duskline/execution/for_rows.h>
 #include <duskline/products/block_means.h>
 #include <duskline/products/daylight.h>
-#include <duskline/products/level_water.h>
+#include <duskline/products/ground_colours.h>
 #include <duskline/products/relief.h>
 #include <duskline/terrain/normals.h>
 
@@ -167,41 +167,27 @@ private:
 // ---------------------------------------------------------------------------------------------------------
 // The picture
 
-float steepness(float dz_dx, float dz_dy)
-{
-    return std::sqrt(dz_dx * dz_dx + dz_dy * dz_dy);
-}
-
-// Rock shows where the ground is steep; `slope` is the rise over run.
-Colour ground_with_rock(const Tint& tint, Colour ground, float slope)
-{
-    const float t =
-        std::clamp((slope - Tint::kSteepBegins) / (Tint::kSteepEnds - Tint::kSteepBegins), 0.0f, 1.0f);
-    return mix(ground, tint.rock, tint.rock_share * t * t * (3.0f - 2.0f * t));
-}
-
 // Everything one thread needs for one row after the other.
 struct RowBuffers {
     explicit RowBuffers(std::size_t columns)
-        : dz_dx(columns), dz_dy(columns), mean_m(columns), open(columns), water_cover(columns), water(columns)
+        : dz_dx(columns), dz_dy(columns), mean_m(columns), open(columns), ground(columns)
     {}
 
     std::vector<float> dz_dx;
     std::vector<float> dz_dy;
     std::vector<float> mean_m;
     std::vector<float> open;
-    std::vector<float> water_cover;
-    std::vector<Colour> water;
+    std::vector<GroundColour> ground;
 };
 
 class Painter {
 public:
     Painter(const HeightField& field, const DirectionalLight& light, const LitFraction& lit,
             const ReliefOptions& options, const Execution& execution)
-        : field_(field), lit_(lit), options_(options), tint_(options.tint),
+        : field_(field), lit_(lit), tint_(options.tint),
           lighting_(light, options, options.exaggeration.value_or(shading_exaggeration(field, light))),
           globe_(options.curvature, field.cell_size_m), hollows_(field, Execution{execution.threads, {}}),
-          water_(field, options.tint, Execution{execution.threads, {}})
+          ground_(field, options.tint, options.texture, Execution{execution.threads, {}})
     {}
 
     void paint_row(std::size_t y, RowBuffers& buffers, std::span<Rgba8> out) const
@@ -209,46 +195,20 @@ public:
         const auto heights_m = field_.heights_m.row(y);
         slopes_of_row(field_, y, buffers.dz_dx, buffers.dz_dy);
         hollows_.fill_open(y, heights_m, lighting_.exaggeration(), buffers.mean_m, buffers.open);
-        water_.fill_cover(y, buffers.water_cover);
-        if (std::any_of(buffers.water_cover.begin(), buffers.water_cover.end(),
-                        [](float c) { return c > 0.0f; }))
-            water_.fill_colours(y, buffers.water);
+        ground_.fill_row(y, buffers.dz_dx, buffers.dz_dy, buffers.ground);
         for (std::size_t x = 0; x < out.size(); ++x)
             out[x] = std::isnan(heights_m[x]) ? tint_.ground.no_data.value_or(Rgba8{0, 0, 0, 0})
                                               : pixel(y, x, heights_m[x], buffers);
     }
 
 private:
-    struct Surface {
-        Colour colour;
-        float opacity;
-    };
-
-    Surface surface(std::size_t y, std::size_t x, float height_m, const RowBuffers& buffers) const
-    {
-        const Palette::Entry entry = tint_.ground.at(height_m);
-        Surface result = {entry.colour, entry.opacity};
-        const bool under_water = tint_.sea.kind == SeaKind::floor && height_m < tint_.sea.level_m;
-        if (tint_.rock_share > 0.0f && !under_water)
-            result.colour =
-                ground_with_rock(tint_, result.colour, steepness(buffers.dz_dx[x], buffers.dz_dy[x]));
-        result.colour = mix(result.colour, buffers.water[x], buffers.water_cover[x]);
-        if (!options_.texture.empty()) {
-            const Rgba8& texel = options_.texture(y, x);
-            const float opacity = static_cast<float>(texel[3]) / 255.0f;
-            result.colour = mix(result.colour, decoder_.colour(texel), opacity);
-            result.opacity += (1.0f - result.opacity) * opacity;
-        }
-        return result;
-    }
-
     Rgba8 pixel(std::size_t y, std::size_t x, float height_m, const RowBuffers& buffers) const
     {
         const float lit = std::isnan(lit_(y, x)) ? 1.0f : lit_(y, x);
-        const Surface ground = surface(y, x, height_m, buffers);
+        const GroundColour& ground = buffers.ground[x];
         const Tilt tilt = globe_.tilt_at(y, x);
         const Colour light =
-            water_.is_water(height_m)
+            ground_.is_water(height_m)
                 ? lighting_.on_slope(tilt, 0.0f, 0.0f, 1.0f, lit)
                 : lighting_.on_slope(tilt, buffers.dz_dx[x], buffers.dz_dy[x], buffers.open[x], lit);
         Rgba8 result = encoder_.pixel(soft_clip(ground.colour * light), y, x);
@@ -258,14 +218,12 @@ private:
 
     const HeightField& field_;
     const LitFraction& lit_;
-    const ReliefOptions& options_;
     const Tint& tint_;
     Lighting lighting_;
     Globe globe_;
     Hollows hollows_;
-    LevelWater water_;
+    GroundColours ground_;
     SrgbEncoder encoder_;
-    SrgbDecoder decoder_;
 };
 
 std::string size_text(std::size_t rows, std::size_t columns)
