@@ -23,7 +23,7 @@ MAY_INCLUDE = {
     # Cameras and what of a terrain they see; no OpenGL.
     "view": {"geometry", "execution", "terrain"},
     "planet": {"geometry", "terrain"},
-    "gl": {"geometry", "execution", "terrain", "light", "casting"},
+    "gl": {"geometry", "execution", "terrain", "light", "casting", "view"},
 }
 
 # Include lines of a library -> the one folder of src/duskline or apps that may have them.

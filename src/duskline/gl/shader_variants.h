@@ -18,12 +18,22 @@ inline const std::vector<ShaderVariant>& shader_variants()
 {
     static const std::vector<ShaderVariant> variants = {
         {"full_screen.vert.glsl"},
+        {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "0"}}},
+        {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "1"}}},
+        {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "2"}}},
+        {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "3"}}},
+        {"sky.frag.glsl"},
         {"sweep_answers.comp.glsl", {{"DUSKLINE_LIMBS", "1"}}},
         {"sweep_answers.comp.glsl", {{"DUSKLINE_LIMBS", "2"}}},
         {"sweep_fronts.comp.glsl", {{"DUSKLINE_LIMBS", "1"}}},
         {"sweep_fronts.comp.glsl", {{"DUSKLINE_LIMBS", "2"}}},
         {"sweep_segments.comp.glsl", {{"DUSKLINE_LIMBS", "1"}}},
         {"sweep_segments.comp.glsl", {{"DUSKLINE_LIMBS", "2"}}},
+        {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "0"}}},
+        {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "1"}}},
+        {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "2"}}},
+        {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "3"}}},
+        {"terrain.vert.glsl"},
     };
     return variants;
 }

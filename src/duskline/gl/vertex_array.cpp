@@ -70,12 +70,14 @@ void VertexArray::draw(Shape shape, std::size_t first, std::size_t count) const
     glDrawArrays(mode_of(shape), static_cast<GLint>(first), static_cast<GLsizei>(count));
 }
 
-void VertexArray::draw_indexed(Shape shape, std::size_t first_index, std::size_t count) const
+void VertexArray::draw_indexed(Shape shape, std::size_t first_index, std::size_t count,
+                               std::size_t instances) const
 {
     const BoundVertexArray bound(*this);
     // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes the offset as a pointer
     const auto* offset = reinterpret_cast<const void*>(first_index * sizeof(std::uint32_t));
-    glDrawElements(mode_of(shape), static_cast<GLsizei>(count), GL_UNSIGNED_INT, offset);
+    glDrawElementsInstanced(mode_of(shape), static_cast<GLsizei>(count), GL_UNSIGNED_INT, offset,
+                            static_cast<GLsizei>(instances));
 }
 
 } // namespace duskline::gl

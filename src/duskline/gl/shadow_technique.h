@@ -1,0 +1,52 @@
+#pragma once
+
+#include <duskline/geometry/cell_rectangle.h>
+#include <duskline/gl/shader_sources.h>
+#include <duskline/gl/shadow_lookup.h>
+#include <duskline/gl/terrain_textures.h>
+#include <duskline/light/directional_light.h>
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace duskline::gl {
+
+/// The shadows of one terrain under a moving light, as some technique finds them.
+class ShadowTechnique {
+public:
+    ShadowTechnique() = default;
+    ShadowTechnique(const ShadowTechnique&) = delete;
+    ShadowTechnique& operator=(const ShadowTechnique&) = delete;
+    virtual ~ShadowTechnique() = default;
+
+    /// Finds the shadows of a light. Throws InvalidInput for angles out of range.
+    virtual void cast(const DirectionalLight& light) = 0;
+
+    /// To be called when heights have changed in a rectangle, after the textures' own `heights_changed`: brings the
+    /// shadows of the light cast last up to date.
+    virtual void heights_changed(const CellRectangle& rectangle) = 0;
+
+    /// The shadows cast last. The texture is the technique's own.
+    virtual TerrainShadow shadow() const = 0;
+};
+
+/// One way to find shadows in real time. The viewer, its report and the tests iterate over `shadow_techniques()`.
+struct ShadowTechniqueKind {
+    std::string_view name;        ///< as typed after --technique
+    std::string_view description; ///< one line
+    std::string_view source;      ///< where the method comes from
+    bool has_soft_edges;          ///< whether it can do the whole of the light's disc
+
+    /// The terrain must outlive it. `soft` edges only where there are some. Throws ShaderError.
+    std::unique_ptr<ShadowTechnique> (*make)(const ShaderSources& sources, const TerrainTextures& terrain,
+                                             bool soft);
+};
+
+/// Every technique there is.
+std::span<const ShadowTechniqueKind> shadow_techniques();
+
+/// The technique of that name. Throws InvalidInput, listing the names there are.
+const ShadowTechniqueKind& shadow_technique_named(std::string_view name);
+
+} // namespace duskline::gl

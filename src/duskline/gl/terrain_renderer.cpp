@@ -1,0 +1,271 @@
+#include <duskline/gl/framebuffer.h>
+#include <duskline/gl/read_back.h>
+#include <duskline/gl/terrain_renderer.h>
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace duskline::gl {
+
+namespace {
+
+enum Unit : int { mesh_heights, ground, heights, shadow, truth };
+
+constexpr std::size_t kIndicesPerPatch = 6 * kPatchSquares * kPatchSquares;
+constexpr std::size_t kMostLevels = 24; // of the array in terrain.vert.glsl: grids of up to 2^28 cells a side
+constexpr Angle kBrightSkyAltitude = Angle::from_degrees(55.0);
+
+constexpr double kClearOverExtent = 3.0; // how far one sees, in extents of the terrain
+
+std::array<float, 3> as_floats(const Vector3& v)
+{
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+std::array<float, 3> scaled(const std::array<float, 3>& colour, float by)
+{
+    return {colour[0] * by, colour[1] * by, colour[2] * by};
+}
+
+std::vector<float> patch_corners()
+{
+    std::vector<float> corners;
+    for (std::size_t row = 0; row <= kPatchSquares; ++row)
+        for (std::size_t column = 0; column <= kPatchSquares; ++column) {
+            corners.push_back(static_cast<float>(column));
+            corners.push_back(static_cast<float>(row));
+        }
+    return corners;
+}
+
+// Two triangles a square, counter-clockwise from above.
+std::vector<std::uint32_t> patch_indices()
+{
+    std::vector<std::uint32_t> indices;
+    constexpr auto line = static_cast<std::uint32_t>(kPatchSquares) + 1;
+    for (std::uint32_t row = 0; row < kPatchSquares; ++row)
+        for (std::uint32_t column = 0; column < kPatchSquares; ++column) {
+            const std::uint32_t north_west = row * line + column;
+            const std::uint32_t south_west = north_west + line;
+            indices.insert(indices.end(), {north_west, south_west, south_west + 1});
+            indices.insert(indices.end(), {north_west, south_west + 1, north_west + 1});
+        }
+    return indices;
+}
+
+ProgramDescription with_lookup(std::vector<std::string> stages, ShadowLookup lookup)
+{
+    return {std::move(stages), {{"SHADOW_LOOKUP", std::to_string(static_cast<int>(lookup))}}};
+}
+
+// What the mesh may not turn into at all begins at infinity, which shaders need not know of.
+void set_morph(const Program& program, const std::vector<MorphRange>& ranges)
+{
+    for (std::size_t level = 0; level < std::min(ranges.size(), kMostLevels); ++level) {
+        const bool turns = std::isfinite(ranges[level].end_m);
+        // A thousandth early, so that float distances do not fall short.
+        const double length_m = 0.999 * ranges[level].end_m - ranges[level].begin_m;
+        const std::array<float, 2> morph = {turns ? static_cast<float>(ranges[level].begin_m) : 0.0f,
+                                            turns ? static_cast<float>(1.0 / length_m) : 0.0f};
+        program.set(("morph[" + std::to_string(level) + "]").c_str(), morph);
+    }
+}
+
+// The eye's place as whole cells, which are subtracted exactly, and the rest.
+void set_eye(const Program& program, const Camera& camera, CellSize cell_size_m)
+{
+    const GridPoint eye = grid_point(camera.position_m, cell_size_m);
+    const std::array<double, 2> whole = {std::floor(eye.column), std::floor(eye.row)};
+    program.set("eye_cell", std::array<int, 2>{static_cast<int>(whole[0]), static_cast<int>(whole[1])});
+    program.set("eye_in_cell", std::array<float, 2>{static_cast<float>(eye.column - whole[0]),
+                                                    static_cast<float>(eye.row - whole[1])});
+    program.set("eye_height_m", static_cast<float>(eye.height_m));
+}
+
+// Blue high up, pale or warm at the horizon; darker with the sun. Without air black.
+void set_sky(const Program& program, const TerrainLight& light)
+{
+    const double altitude_deg = light.light.altitude.degrees();
+    const auto day = static_cast<float>(std::clamp((altitude_deg + 8.0) / 16.0, 0.0, 1.0));
+    const auto warm = static_cast<float>(std::clamp(1.0 - altitude_deg / 18.0, 0.0, 1.0));
+    const float seen = light.air ? light.exposure * (0.03f + 0.97f * day * day) : 0.0f;
+    const std::array<float, 3> cool = {0.62f, 0.74f, 0.88f};
+    const std::array<float, 3> dusk = {0.80f, 0.66f, 0.52f};
+    std::array<float, 3> horizon = {};
+    for (std::size_t i = 0; i < 3; ++i)
+        horizon.at(i) = cool.at(i) + 0.6f * warm * (dusk.at(i) - cool.at(i));
+    program.set("zenith", scaled({0.16f, 0.33f, 0.66f}, seen));
+    program.set("horizon", scaled(horizon, seen));
+    program.set("glow", scaled(light.sun_colour, light.air ? seen * (0.3f + 0.7f * warm) : light.exposure));
+    program.set("towards_sun", as_floats(direction_towards(light.light)));
+}
+
+double extent_m(const HeightField& field)
+{
+    return std::hypot(static_cast<double>(field.columns()) * field.cell_size_m.x,
+                      static_cast<double>(field.rows()) * field.cell_size_m.y);
+}
+
+void set_light(const Program& program, const TerrainLight& light, double clear_m)
+{
+    program.set("towards_light", as_floats(direction_towards(light.light)));
+    program.set("towards_bright_sky", as_floats(direction_towards(
+                                          {.azimuth = light.light.azimuth, .altitude = kBrightSkyAltitude})));
+    program.set("exaggeration", light.exaggeration);
+    program.set("ambient", light.ambient);
+    program.set("exposure", light.exposure);
+    // A sun under the horizon gives nothing.
+    program.set("sun_colour",
+                light.light.altitude.degrees() > 0.0 ? light.sun_colour : std::array<float, 3>{});
+    program.set("sky_light", light.sky_light);
+    program.set("clear_m", light.air ? static_cast<float>(clear_m) : 0.0f);
+    set_sky(program, light);
+}
+
+// As products/lit_fraction.h has it: what a shadow over level ground loses from one corner of a cell to the other.
+double drop_over_a_cell_m(const DirectionalLight& light, CellSize cell_size_m)
+{
+    const double altitude_deg = std::clamp(light.altitude.degrees(), 0.1, 89.0);
+    return tangent(Angle::from_degrees(altitude_deg)) * std::hypot(cell_size_m.x, cell_size_m.y);
+}
+
+} // namespace
+
+TerrainRenderer::TerrainRenderer(const ShaderSources& sources, const TerrainTextures& terrain)
+    : sources_(sources), terrain_(terrain), detail_(terrain.field()),
+      sky_(sources, {.stages = {"full_screen.vert.glsl", "sky.frag.glsl"}})
+{
+    corners_.upload(patch_corners());
+    indices_.upload(patch_indices());
+    patch_.set_floats(0, corners_, 2, 2 * sizeof(float));
+    patch_.set_indices(indices_);
+}
+
+const Program& TerrainRenderer::ground_program(ShadowLookup lookup)
+{
+    auto& program = ground_programs_.at(static_cast<std::size_t>(lookup));
+    if (!program)
+        program.emplace(sources_, with_lookup({"terrain.vert.glsl", "terrain.frag.glsl"}, lookup));
+    return *program;
+}
+
+const Program& TerrainRenderer::mask_program(ShadowLookup lookup)
+{
+    auto& program = mask_programs_.at(static_cast<std::size_t>(lookup));
+    if (!program)
+        program.emplace(sources_, with_lookup({"full_screen.vert.glsl", "lit_mask.frag.glsl"}, lookup));
+    return *program;
+}
+
+void TerrainRenderer::set_lookup(const Program& program, const TerrainShadow& shadow,
+                                 double shadow_drop_m) const
+{
+    terrain_.heights().bind(Unit::heights);
+    if (shadow.texture != nullptr)
+        shadow.texture->bind(Unit::shadow);
+    program.set("heights_m", static_cast<int>(Unit::heights));
+    program.set("shadow", static_cast<int>(Unit::shadow));
+    program.set("shadow_drop_m", static_cast<float>(shadow_drop_m));
+}
+
+void TerrainRenderer::draw_sky(const TerrainView& view, const TerrainLight& light)
+{
+    const CameraAxes axes = axes_of(view.camera);
+    const double half_height = tangent(Angle::from_degrees(view.camera.vertical_view.degrees() / 2.0));
+    const double aspect = static_cast<double>(view.width) / static_cast<double>(view.height);
+    sky_.use();
+    set_sky(sky_, light);
+    sky_.set("picture_size",
+             std::array<float, 2>{static_cast<float>(view.width), static_cast<float>(view.height)});
+    sky_.set("forward", as_floats(axes.forward));
+    sky_.set("half_right", as_floats(axes.right * (half_height * aspect)));
+    sky_.set("half_up", as_floats(axes.up * half_height));
+    const Angle radius = Angle::from_degrees(std::max(0.25, light.light.angular_diameter.degrees() / 2.0));
+    sky_.set("sun_cosine", static_cast<float>(sine_cosine(radius).cosine));
+    glDisable(GL_DEPTH_TEST);
+    no_vertices_.draw(VertexArray::Shape::triangles, 0, 3);
+}
+
+DrawnMesh TerrainRenderer::draw(const TerrainView& view, const TerrainLight& light,
+                                const TerrainShadow& shadow, const Texture* truth)
+{
+    draw_sky(view, light);
+    return draw_terrain(view, light, shadow, truth);
+}
+
+DrawnMesh TerrainRenderer::draw_terrain(const TerrainView& view, const TerrainLight& light,
+                                        const TerrainShadow& shadow, const Texture* truth)
+{
+    const HeightField& field = terrain_.field();
+    const double aspect = static_cast<double>(view.width) / static_cast<double>(view.height);
+    const DepthRange depth = depth_range(view.camera, field, detail_.heights());
+    const auto ranges = detail_.morph_ranges(pixels_per_radian(view.camera, static_cast<double>(view.height)),
+                                             view.pixel_error);
+    const std::vector<MeshPatch> patches =
+        detail_.select(view.camera.position_m, Frustum(view.camera, aspect, depth.nearest_m), ranges);
+    if (patches.empty())
+        return {};
+
+    const Program& program = ground_program(shadow.lookup);
+    program.use();
+    terrain_.mesh_heights().bind(Unit::mesh_heights);
+    terrain_.ground().bind(Unit::ground);
+    if (truth != nullptr)
+        truth->bind(Unit::truth);
+    program.set("mesh_heights_m", static_cast<int>(Unit::mesh_heights));
+    program.set("ground", static_cast<int>(Unit::ground));
+    program.set("truth", static_cast<int>(Unit::truth));
+    program.set("show_difference", truth != nullptr ? 1 : 0);
+    set_lookup(program, shadow, drop_over_a_cell_m(light.light, field.cell_size_m));
+    set_light(program, light, kClearOverExtent * extent_m(field));
+    set_eye(program, view.camera, field.cell_size_m);
+    set_morph(program, ranges);
+    program.set("cell_size_m", std::array<float, 2>{static_cast<float>(field.cell_size_m.x),
+                                                    static_cast<float>(field.cell_size_m.y)});
+    program.set("last_cell", std::array<int, 2>{static_cast<int>(field.columns()) - 1,
+                                                static_cast<int>(field.rows()) - 1});
+    program.set_matrix("eye_to_clip", eye_to_clip(view.camera, aspect, depth));
+
+    patches_.upload(patches);
+    patches_.bind_as_storage(0);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    patch_.draw_indexed(VertexArray::Shape::triangles, 0, kIndicesPerPatch, patches.size());
+    glDisable(GL_DEPTH_TEST);
+    return {patches.size(), patches.size() * kIndicesPerPatch / 3};
+}
+
+ShadowMask TerrainRenderer::lit_mask(const TerrainShadow& shadow)
+{
+    const HeightField& field = terrain_.field();
+    const Texture answers(TextureFormat::r8, field.columns(), field.rows());
+    const Framebuffer framebuffer({&answers});
+    framebuffer.bind();
+    const Program& program = mask_program(shadow.lookup);
+    program.use();
+    set_lookup(program, shadow, 1.0);
+    glDisable(GL_DEPTH_TEST);
+    no_vertices_.draw(VertexArray::Shape::triangles, 0, 3);
+    const Grid<std::uint8_t> bytes = read_back<std::uint8_t>(answers);
+    ShadowMask mask(field.rows(), field.columns());
+    for (std::size_t row = 0; row < field.rows(); ++row)
+        for (std::size_t column = 0; column < field.columns(); ++column)
+            mask(row, column) = std::isnan(field.heights_m(row, column)) ? Lit::unknown
+                                : bytes(row, column) != 0                ? Lit::yes
+                                                                         : Lit::no;
+    return mask;
+}
+
+bool TerrainRenderer::reload_if_changed()
+{
+    bool changed = sky_.reload_if_changed(sources_);
+    for (auto* programs : {&ground_programs_, &mask_programs_})
+        for (auto& program : *programs)
+            changed = (program && program->reload_if_changed(sources_)) || changed;
+    return changed;
+}
+
+} // namespace duskline::gl
