@@ -30,4 +30,9 @@ ContextInfo current_context()
     return info;
 }
 
+void wait_until_done()
+{
+    glFinish();
+}
+
 } // namespace duskline::gl

@@ -24,4 +24,7 @@ struct ContextInfo {
 /// Throws UnsupportedOnThisMachine unless a context of OpenGL 4.3 or later is current on this thread.
 ContextInfo current_context();
 
+/// Waits until everything that was asked of the graphics card is done.
+void wait_until_done();
+
 } // namespace duskline::gl

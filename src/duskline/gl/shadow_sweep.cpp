@@ -65,8 +65,11 @@ std::array<Limb, 2> limbs_of(const DirectionalLight& light, CellSize cell_size_m
 {
     const double altitude = light.altitude.degrees();
     const double radius = both ? 0.5 * light.angular_diameter.degrees() : 0.0;
-    return {limb_of(at_altitude(light, altitude + radius), cell_size_m),
-            limb_of(at_altitude(light, altitude - radius), cell_size_m)};
+    const Limb upper = limb_of(at_altitude(light, altitude + radius), cell_size_m);
+    // Of a disc that is partly up, what is above the horizontal counts: light along it falls by nothing.
+    if (both && altitude - radius <= 0.0 && altitude + radius > 0.0)
+        return {upper, Limb{}};
+    return {upper, limb_of(at_altitude(light, altitude - radius), cell_size_m)};
 }
 
 std::vector<Shift> shifts_of(double lateral, std::size_t lines)
@@ -122,14 +125,14 @@ void describe(const Program& program, const Layout& layout, std::size_t lines_pe
     program.set("lines_per_segment", static_cast<int>(lines_per_segment));
 }
 
-// A value for one limb or for both, as the shader was compiled.
-void set_limbs(const Program& program, const char* uniform, const std::array<Limb, 2>& limbs,
-               float Limb::*value, bool both)
+void describe(const Program& program, const std::array<Limb, 2>& limbs, bool both)
 {
     if (both)
-        program.set(uniform, std::array<float, 2>{limbs[0].*value, limbs[1].*value});
+        program.set("drop_m", std::array<float, 3>{limbs[0].drop_m, limbs[1].drop_m, 0.0f});
     else
-        program.set(uniform, limbs[0].*value);
+        program.set("drop_m", limbs[0].drop_m);
+    program.set("lowest_m", std::array<float, 2>{limbs[0].lowest_m, limbs[1].lowest_m});
+    program.set("highest_m", std::array<float, 2>{limbs[0].highest_m, limbs[1].highest_m});
 }
 
 } // namespace
@@ -159,10 +162,8 @@ const Texture& ShadowSweep::cast(const Texture& heights, CellSize cell_size_m, c
     fronts_.bind_as_storage(1);
     for (const Program* program : {&segments_, &fronts_pass_, &answers_}) {
         describe(*program, layout, options_.lines_per_segment);
-        set_limbs(*program, "drop_m", limbs, &Limb::drop_m, options_.limbs);
+        describe(*program, limbs, options_.limbs);
     }
-    set_limbs(answers_, "lowest_m", limbs, &Limb::lowest_m, options_.limbs);
-    set_limbs(answers_, "highest_m", limbs, &Limb::highest_m, options_.limbs);
 
     dispatch(segments_, layout.beams, layout.segments - 1); // nothing comes after the last
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -179,7 +180,7 @@ void ShadowSweep::make_room(const Texture& heights, std::size_t fronts)
     const std::size_t height = heights.height();
     if (!shadow_heights_ || shadow_heights_->width() != width || shadow_heights_->height() != height)
         shadow_heights_.emplace(options_.limbs ? TextureFormat::rg32f : TextureFormat::r32f, width, height);
-    const std::size_t bytes = fronts * (options_.limbs ? 4 : 2) * sizeof(float);
+    const std::size_t bytes = fronts * 2 * (options_.limbs ? 4 : 1) * sizeof(float);
     if (fronts_.bytes() < bytes)
         fronts_ = Buffer(bytes);
 }

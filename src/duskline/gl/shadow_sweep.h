@@ -13,8 +13,10 @@ namespace duskline::gl {
 
 /// How a ShadowSweep works.
 struct ShadowSweepOptions {
-    /// Instead of one height of shadow for the centre of the light's disc two, for soft edges: the first component is
-    /// the height below which all of the disc is hidden (its upper edge is), the second that above which nothing is.
+    /// Instead of one height of shadow for the centre of the light's disc two, for soft edges. Above the second all of
+    /// the disc is seen: it is the shadow height of the disc's lower edge, or of light along the horizontal while the
+    /// disc sinks through that. Below the first nothing is seen: it is the shadow height of the upper edge, but where
+    /// the ground sees some of the disc, that of the ground which hides the lower edge alone.
     bool limbs = false;
     /// How many lines one invocation carries a beam over: fewer keep more of a large card busy, and cost more in
     /// between. A multiple of 32. No result depends on it.
@@ -25,8 +27,7 @@ struct ShadowSweepOptions {
 /// graphics card, for a light that moves with every frame.
 ///
 /// The texture has a texel for each cell, r32f or, with limbs, rg32f. Texels hold what `shadow_heights_by_sweep` says
-/// of the light, or of its disc's two edges: bit for bit, where the card rounds sums and products as IEEE 754 wants
-/// (OpenGL asks for that). Minus infinity where nothing towards the light is in the way, plus infinity where the light
+/// of the light: bit for bit, where the card rounds sums and products as IEEE 754 wants (OpenGL asks for that). Minus infinity where nothing towards the light is in the way, plus infinity where the light
 /// is at or below the horizon, NaN for no data.
 ///
 /// Uses texture unit 0, image unit 0 and shader storage 0 and 1, and leaves its own there.

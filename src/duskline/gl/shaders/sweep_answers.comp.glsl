@@ -20,8 +20,8 @@ layout(local_size_x = 64) in;
 layout(FRONT_IMAGE, binding = 0) writeonly uniform image2D shadow_heights;
 
 uniform bool halfway;      // whether beams stand between cells at all
-uniform FRONT lowest_m;    // plus infinity where the light is under the horizon
-uniform FRONT highest_m;   // minus infinity where it is straight overhead
+uniform vec2 lowest_m;     // plus infinity where the light is under the horizon
+uniform vec2 highest_m;    // minus infinity where it is straight overhead
 
 const float kRaised_m = -1.0e20; // a front below this is one that no ground has raised yet
 
@@ -45,27 +45,36 @@ float shadow_height(float front, float tilt, float lowest, float highest)
     return min(max(front > kRaised_m ? height : none, lowest), highest);
 }
 
-void answer(int line, int cell, FRONT front, FRONT tilt, float ground)
-{
-    vec4 height = vec4(NO_DATA);
-    if (!isnan(ground)) {
 #if DUSKLINE_LIMBS == 2
-        height.x = shadow_height(front.x, tilt.x, lowest_m.x, highest_m.x);
-        height.y = shadow_height(front.y, tilt.y, lowest_m.y, highest_m.y);
+// Where the ground sees some of the disc, the first height is that of the ground that hides the disc's lower edge: the
+// penumbra is as wide as that ground is far. (The front of the upper edge may be of ground much nearer.)
+vec4 shadow_height_texel(FRONT front, FRONT tilt, float ground, int line)
+{
+    float upper = shadow_height(front.x, tilt.x, lowest_m.x, highest_m.x);
+    float lower = shadow_height(front.y, tilt.y, lowest_m.y, highest_m.y);
+    float same_ground = lower - (float(line) - front.z) * (drop_m.x - drop_m.y);
+    return vec4(upper > ground ? upper : min(upper, same_ground), lower, 0.0, 1.0);
+}
 #else
-        height.x = shadow_height(front, tilt, lowest_m, highest_m);
+vec4 shadow_height_texel(FRONT front, FRONT tilt, float ground, int line)
+{
+    return vec4(shadow_height(front, tilt, lowest_m.x, highest_m.x), 0.0, 0.0, 1.0);
+}
 #endif
-    }
-    imageStore(shadow_heights, first_texel + line * line_step + cell * cell_step, height);
+
+void answer(int line, int cell, FRONT front, float ground)
+{
+    vec4 texel = isnan(ground) ? vec4(NO_DATA) : shadow_height_texel(front, tilt_at(line), ground, line);
+    imageStore(shadow_heights, first_texel + line * line_step + cell * cell_step, texel);
 }
 
 Beams incoming(int segment, int slot)
 {
     int slot_behind = slot - sideways;
     bool there = slot_behind >= 0 && slot_behind < beams;
-    FRONT_PAIR own = fronts[segment * beams + slot];
-    FRONT behind = there ? at_beam(fronts[segment * beams + slot_behind]) : kNoShadow_m;
-    return Beams(at_beam(own), half_behind(own), behind);
+    int index = segment * beams + slot;
+    FRONT behind = there ? stored_at(segment * beams + slot_behind) : EMPTY_FRONT;
+    return Beams(stored_at(index), stored_half_behind(index), behind);
 }
 
 void main()
@@ -84,14 +93,13 @@ void main()
     for (int line = first; line < last; ++line) {
         if (is_lowered_at(line))
             front = Beams(lowered(front.at), lowered(front.half_behind), lowered(front.behind));
-        FRONT tilt = tilt_at(line);
         float fraction = shifts[line].fraction;
         int cell = beam + sideways * shifts[line].whole;
         Ground ground = ground_at(line, cell);
         if (cell >= 0 && cell < cells)
-            answer(line, cell, front_over_cell(front, fraction), tilt, ground.here);
-        front = Beams(carried_at(front.at, ground, fraction, tilt),
-                      carried_half_behind(front.half_behind, ground, fraction, tilt),
-                      carried_behind(front.behind, ground, fraction, tilt));
+            answer(line, cell, front_over_cell(front, fraction), ground.here);
+        front = Beams(carried_at(front.at, ground, fraction, line),
+                      carried_half_behind(front.half_behind, ground, fraction, line),
+                      carried_behind(front.behind, ground, fraction, line));
     }
 }

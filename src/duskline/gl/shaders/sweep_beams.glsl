@@ -2,14 +2,18 @@
 // The numbers are those of casting/sweep.cpp and casting/kernels/sweep_lines-inl.h, operation by operation, so that
 // the answers are, too: `precise` forbids fused multiply-adds.
 //
-// DUSKLINE_LIMBS 1: one light. 2: two lights of one azimuth, the upper and the lower edge of the sun's disc, in the two
-// components of every height of shadow.
+// DUSKLINE_LIMBS 1: one light. 2: two lights of one azimuth, the upper and the lower edge of the sun's disc. A front then
+// has three numbers: its height for the upper edge, that for the lower edge, and the line whose ground made the latter.
 
 #if DUSKLINE_LIMBS == 2
-#define FRONT vec2
+#define FRONT vec3
+#define STORED_FRONT vec4
+#define EMPTY_FRONT vec3(-1.0e30, -1.0e30, 0.0)
 #define FRONT_IMAGE rg32f
 #else
 #define FRONT float
+#define STORED_FRONT float
+#define EMPTY_FRONT -1.0e30 // lower than any ground, and finite, because fronts are interpolated
 #define FRONT_IMAGE r32f
 #endif
 
@@ -22,18 +26,9 @@ struct Shift {
 };
 layout(std430, binding = 0) readonly buffer Shifts { Shift shifts[]; };
 
-// Heights of the front that comes into each segment of lines, by segment and beam: x or xy on the beams of the comb
-// `shifts`, y or zw half a cell behind them.
-#if DUSKLINE_LIMBS == 2
-#define FRONT_PAIR vec4
-FRONT at_beam(vec4 pair) { return pair.xy; }
-FRONT half_behind(vec4 pair) { return pair.zw; }
-#else
-#define FRONT_PAIR vec2
-FRONT at_beam(vec2 pair) { return pair.x; }
-FRONT half_behind(vec2 pair) { return pair.y; }
-#endif
-layout(std430, binding = 1) buffer Fronts { FRONT_PAIR fronts[]; };
+// Fronts that come into each segment of lines, by segment and beam: on the beams of the comb `shifts`, and half a cell
+// behind them.
+layout(std430, binding = 1) buffer Fronts { STORED_FRONT fronts[]; };
 
 uniform int lines;
 uniform int cells;            // of a line
@@ -44,10 +39,9 @@ uniform int sideways;         // 1 when light moves towards higher cells, else -
 uniform int first_beam;
 uniform int beams;
 uniform int lines_per_segment; // a multiple of kLinesPerTilt
-uniform FRONT drop_m;          // fall of the light per line
+uniform FRONT drop_m;          // fall of the light per line; 0 for what does not fall
 
 const int kLinesPerTilt = 32;
-const FRONT kNoShadow_m = FRONT(-1.0e30);
 #define NO_DATA uintBitsToFloat(0x7fc00000u)
 
 float height_m(int line, int cell)
@@ -78,20 +72,53 @@ FRONT lowered(FRONT front)
     return result;
 }
 
+// The front or `candidate`, ground on this line.
+FRONT higher(FRONT front, FRONT candidate)
+{
+#if DUSKLINE_LIMBS == 2
+    float upper = candidate.x > front.x ? candidate.x : front.x;
+    return vec3(upper, candidate.y > front.y ? candidate.yz : front.yz);
+#else
+    return candidate > front ? candidate : front; // false for NaN
+#endif
+}
+
 // The front of a beam `fraction` of a cell ahead of `ground`. A beam that leaves the grid goes on over the same height,
 // and beside no data half a cell around a sample casts.
-FRONT raised(FRONT front, float ground, float ahead, bool ahead_has_left, float fraction, FRONT tilt)
+FRONT raised(FRONT front, float ground, float ahead, bool ahead_has_left, float fraction, int line)
 {
     float next = ahead_has_left ? ground : ahead;
+    FRONT tilt = tilt_at(line);
     precise float rise = next - ground;
     precise FRONT under_beam = (FRONT(ground) + tilt) + FRONT(rise * fraction);
     if (isnan(rise))
         under_beam = FRONT(fraction < 0.5 ? ground : next) + tilt;
 #if DUSKLINE_LIMBS == 2
-    return mix(front, under_beam, greaterThan(under_beam, front)); // false for NaN
+    return higher(front, vec3(under_beam.xy, float(line)));
 #else
-    return under_beam > front ? under_beam : front;
+    return higher(front, under_beam);
 #endif
+}
+
+void store_front(int index, FRONT at, FRONT half_behind)
+{
+#if DUSKLINE_LIMBS == 2
+    fronts[2 * index] = vec4(at, 0.0);
+    fronts[2 * index + 1] = vec4(half_behind, 0.0);
+#else
+    fronts[2 * index] = at;
+    fronts[2 * index + 1] = half_behind;
+#endif
+}
+
+FRONT stored_at(int index)
+{
+    return FRONT(fronts[2 * index]);
+}
+
+FRONT stored_half_behind(int index)
+{
+    return FRONT(fronts[2 * index + 1]);
 }
 
 // The three beams that decide cell j of a line: `at` is `fraction` of a cell ahead of it, the others half a cell and a
@@ -120,21 +147,21 @@ Ground ground_at(int line, int cell)
                   has_left(cell), has_left(cell + sideways));
 }
 
-FRONT carried_at(FRONT front, Ground ground, float fraction, FRONT tilt)
+FRONT carried_at(FRONT front, Ground ground, float fraction, int line)
 {
-    return raised(front, ground.here, ground.ahead, ground.ahead_has_left, fraction, tilt);
+    return raised(front, ground.here, ground.ahead, ground.ahead_has_left, fraction, line);
 }
 
-FRONT carried_half_behind(FRONT front, Ground ground, float fraction, FRONT tilt)
+FRONT carried_half_behind(FRONT front, Ground ground, float fraction, int line)
 {
     if (fraction < 0.5)
-        return raised(front, ground.before, ground.here, ground.here_has_left, fraction + 0.5, tilt);
-    return raised(front, ground.here, ground.ahead, ground.ahead_has_left, fraction - 0.5, tilt);
+        return raised(front, ground.before, ground.here, ground.here_has_left, fraction + 0.5, line);
+    return raised(front, ground.here, ground.ahead, ground.ahead_has_left, fraction - 0.5, line);
 }
 
-FRONT carried_behind(FRONT front, Ground ground, float fraction, FRONT tilt)
+FRONT carried_behind(FRONT front, Ground ground, float fraction, int line)
 {
-    return raised(front, ground.before, ground.here, ground.here_has_left, fraction, tilt);
+    return raised(front, ground.before, ground.here, ground.here_has_left, fraction, line);
 }
 
 // Whether the beam, or one of those behind it, is over the grid on one of the lines [first, last).

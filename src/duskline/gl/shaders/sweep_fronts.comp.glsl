@@ -10,19 +10,19 @@ void main()
     int slot = int(gl_GlobalInvocationID.x);
     if (slot >= beams)
         return;
-    FRONT at = kNoShadow_m;
-    FRONT half_back = kNoShadow_m;
+    FRONT at = EMPTY_FRONT;
+    FRONT half_behind = EMPTY_FRONT;
     int segments = (lines + lines_per_segment - 1) / lines_per_segment;
-    fronts[slot] = FRONT_PAIR(at, half_back);
+    store_front(slot, at, half_behind);
     for (int segment = 1; segment < segments; ++segment) {
         for (int line = (segment - 1) * lines_per_segment; line < segment * lines_per_segment; line += kLinesPerTilt)
             if (is_lowered_at(line)) {
                 at = lowered(at);
-                half_back = lowered(half_back);
+                half_behind = lowered(half_behind);
             }
-        FRONT_PAIR added = fronts[segment * beams + slot];
-        at = max(at, at_beam(added));
-        half_back = max(half_back, half_behind(added));
-        fronts[segment * beams + slot] = FRONT_PAIR(at, half_back);
+        int index = segment * beams + slot;
+        at = higher(at, stored_at(index));
+        half_behind = higher(half_behind, stored_half_behind(index));
+        store_front(index, at, half_behind);
     }
 }

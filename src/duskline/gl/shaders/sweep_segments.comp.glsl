@@ -14,20 +14,19 @@ void main()
     int segment = int(gl_GlobalInvocationID.y);
     int first = segment * lines_per_segment;
     int last = min(first + lines_per_segment, lines);
-    FRONT at = kNoShadow_m;
-    FRONT half_back = kNoShadow_m;
+    FRONT at = EMPTY_FRONT;
+    FRONT half_behind = EMPTY_FRONT;
     if (meets_grid(beam, first, last))
         for (int line = first; line < last; ++line) {
             if (is_lowered_at(line)) {
                 at = lowered(at);
-                half_back = lowered(half_back);
+                half_behind = lowered(half_behind);
             }
-            FRONT tilt = tilt_at(line);
             float fraction = shifts[line].fraction;
             Ground ground = ground_at(line, beam + sideways * shifts[line].whole);
-            at = carried_at(at, ground, fraction, tilt);
-            half_back = carried_half_behind(half_back, ground, fraction, tilt);
+            at = carried_at(at, ground, fraction, line);
+            half_behind = carried_half_behind(half_behind, ground, fraction, line);
         }
     // Where the next segment begins.
-    fronts[(segment + 1) * beams + slot] = FRONT_PAIR(at, half_back);
+    store_front((segment + 1) * beams + slot, at, half_behind);
 }
