@@ -11,6 +11,7 @@
 #include <duskline/casting/casters.h>
 #include <duskline/casting/kernels/kernels.h>
 #include <duskline/casting/terrain_shadows.h>
+#include <duskline/casting/visible_fraction.h>
 #include <duskline/execution/for_rows.h>
 #include <duskline/terrain/synthetic_terrain.h>
 
@@ -172,6 +173,48 @@ void add_caster(const Caster& caster, const Scene& scene, std::size_t threads)
         ->Unit(benchmark::kMillisecond);
 }
 
+// Whether a cell that sees all of the sun is lit by its middle, and one that sees nothing of it is not.
+bool agree(const VisibleFraction& seen, const ShadowMask& mask)
+{
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        if ((seen.values()[i] == 0.0f && mask.values()[i] == Lit::yes)
+            || (seen.values()[i] == 1.0f && mask.values()[i] == Lit::no))
+            return false;
+    return true;
+}
+
+// Soft edges, beside the mask that has none.
+void add_soft(const Scene& scene, std::size_t threads)
+{
+    const auto cast_soft = [=](benchmark::State& state) {
+        const Terrain& terrain = mountains(scene.side);
+        const DirectionalLight light{Angle::from_degrees(scene.azimuth), Angle::from_degrees(scene.altitude)};
+        const Execution execution{.threads = threads};
+        const Caster& exact = caster_named("exact");
+        ShadowMask mask;
+        VisibleFraction seen;
+        std::vector<double> soft_ms;
+        std::vector<double> hard_ms;
+        for (auto _ : state) {
+            hard_ms.push_back(milliseconds([&] { mask = exact.cast(terrain, light, execution); }));
+            soft_ms.push_back(
+                milliseconds([&] { seen = visible_fraction(terrain, light, exact, execution); }));
+            state.SetIterationTime(soft_ms.back() / 1000.0);
+        }
+        if (!agree(seen, mask))
+            state.SkipWithError("not what the mask says");
+        state.counters["median_ms"] = median(soft_ms);
+        state.counters["hard_ms"] = median(hard_ms);
+        state.counters["x_hard"] = median(soft_ms) / median(hard_ms);
+        const auto half = std::ranges::count_if(seen.values(), [](float f) { return f > 0.0f && f < 1.0f; });
+        state.counters["half_%"] = 100.0 * static_cast<double>(half) / static_cast<double>(seen.size());
+        state.SetLabel(std::string(kernels::active_kernels().isa) + ", threads " + std::to_string(threads));
+    };
+    benchmark::RegisterBenchmark(name_of("soft", scene, threads).c_str(), cast_soft)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+}
+
 // A day's worth of suns: from one side to the other, low at first and last, along rows and columns and between.
 std::vector<DirectionalLight> suns_of_a_day(std::size_t count)
 {
@@ -283,7 +326,13 @@ void add_all()
         for (const double altitude : {20.0, 5.0})
             add_caster(caster, {caster.name == "ray" ? std::size_t{512} : std::size_t{2048}, 203.0, altitude},
                        all);
+    for (const double altitude : {20.0, 5.0})
+        for (const std::size_t side : {std::size_t{2048}, std::size_t{8192}})
+            for (const double azimuth : {203.0, 270.0})
+                add_caster(caster_named("exact"), {side, azimuth, altitude}, 1);
     for (const std::size_t threads : {std::size_t{1}, all}) {
+        for (const double altitude : {20.0, 5.0})
+            add_soft({2048, 203.0, altitude}, threads);
         add_day(2048, 96, threads);
         for (const double azimuth : {203.0, 270.0, 315.0})
             add_edit({2048, azimuth, 20.0}, 64, threads);

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <span>
 #include <vector>
@@ -27,6 +28,7 @@ namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kRowsPerPiece = 16;
+constexpr std::size_t kCellsAtOnce = 64;
 
 // Wider discs are not as their edges are.
 constexpr double kWidestByEdges_deg = 1.0;
@@ -73,11 +75,11 @@ class Disc {
 public:
     Disc(const HeightField& field, const DirectionalLight& light, const DiscSlices& slices,
          const Execution& execution)
-        : slices_(slices), maxima_(field, plane(field, light), {.threads = execution.threads})
+        : slices_(slices), greatest_m_(greatest_magnitude_m(kernels::active_kernels(), field, execution)),
+          maxima_(field, plane(field, light), greatest_m_, {.threads = execution.threads})
     {
-        const double greatest_m = greatest_magnitude_m(kernels::active_kernels(), field, execution);
         const auto rays = [&](const DiscSlice& slice) {
-            return HorizonRays(field, maxima_, greatest_m, slice.azimuth(), slice.lowest_tangent(),
+            return HorizonRays(field, maxima_, greatest_m_, slice.azimuth(), slice.lowest_tangent(),
                                slice.highest_tangent());
         };
         for (const DiscGroup& group : slices.groups) {
@@ -152,6 +154,7 @@ private:
     }
 
     const DiscSlices& slices_;
+    double greatest_m_; // magnitude of any height
     TiltedMaxima maxima_;
     std::vector<HorizonRays> all_;
     std::vector<HorizonRays> parts_;
@@ -194,6 +197,15 @@ struct OpenCell {
     bool sideways; // its horizon is steep: hides a side of the disc, not its lower part
 };
 
+// Whether the edges agree about `count` cells: nearly always.
+bool edges_agree(const EdgeMasks& masks, std::size_t row, std::size_t first, std::size_t count)
+{
+    const auto same = [&](std::size_t a, std::size_t b) {
+        return std::memcmp(&masks[a](row, first), &masks[b](row, first), count) == 0;
+    };
+    return same(0, 1) && same(2, 3);
+}
+
 // One row of answers where all edges agree; the cells where they do not go to `open`.
 void answer_row(const EdgeMasks& masks, std::size_t row, float full_light, std::span<float> out,
                 std::vector<OpenCell>& open)
@@ -203,10 +215,15 @@ void answer_row(const EdgeMasks& masks, std::size_t row, float full_light, std::
     const auto left = masks[2].row(row);
     const auto right = masks[3].row(row);
     open.clear();
-    for (std::size_t x = 0; x < out.size(); ++x) {
+    for (std::size_t x = 0; x < out.size(); ++x)
         out[x] = high[x] == Lit::unknown ? kUnknown : high[x] == Lit::yes ? full_light : 0.0f;
-        if (high[x] != low[x] || left[x] != right[x])
-            open.push_back({x, high[x] == low[x]});
+    for (std::size_t first = 0; first < out.size(); first += kCellsAtOnce) {
+        const std::size_t last = std::min(first + kCellsAtOnce, out.size());
+        if (edges_agree(masks, row, first, last - first))
+            continue;
+        for (std::size_t x = first; x < last; ++x)
+            if (high[x] != low[x] || left[x] != right[x])
+                open.push_back({x, high[x] == low[x]});
     }
 }
 

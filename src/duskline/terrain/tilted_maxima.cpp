@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace duskline {
 
@@ -23,13 +24,33 @@ void raise(float& highest_m, float height_m)
     highest_m = height_m > highest_m ? height_m : highest_m;
 }
 
+// Of samples side by side; the last one of a block is the first of the next.
+void highest_of_blocks(std::span<float> samples, std::span<float> highest)
+{
+    for (std::size_t x = 0; x + 1 < samples.size(); ++x) // each and the next, which vectorises
+        raise(samples[x], samples[x + 1]);
+    for (std::size_t block = 0; block < highest.size(); ++block) {
+        const std::size_t first = block * kBlock;
+        highest[block] = kNoGround_m;
+        for (std::size_t x = first; x < std::min(first + kBlock, samples.size()); x += 2)
+            raise(highest[block], samples[x]);
+        if (first + kBlock < samples.size())
+            raise(highest[block], samples[first + kBlock - 1]);
+    }
+}
+
 } // namespace
 
-TiltedMaxima::TiltedMaxima(const HeightField& field, const TiltedPlane& plane, const Execution& execution)
+TiltedMaxima::TiltedMaxima(const HeightField& field, const TiltedPlane& plane, double greatest_m,
+                           const Execution& execution)
     : plane_(plane)
 {
     if (field.heights_m.empty())
         return;
+    // Heights, what they are lowered by along rows and columns: three roundings of numbers no greater than this.
+    const double lowered_m = std::abs(plane.at(static_cast<double>(field.rows()), 0.0))
+                             + std::abs(plane.at(0.0, static_cast<double>(field.columns())));
+    rounding_m_ = 1e-6 * (greatest_m + 3.0 * lowered_m);
     fill_first_level(field, execution);
     while (levels_.back().highest_m.size() > 1)
         add_level();
@@ -54,28 +75,15 @@ void TiltedMaxima::fill_first_level(const HeightField& field, const Execution& e
     const std::size_t columns = field.columns();
     Level first{blocks_of(field.rows()), blocks_of(columns), {}};
     first.highest_m.resize(first.rows * first.columns);
-    std::vector<float> greatest(first.rows, 0.0f); // magnitude, by block row
     for_rows(first.rows, 16, execution, [&](std::size_t begin, std::size_t end) {
         std::vector<float> over_m(columns);
         for (std::size_t block_row = begin; block_row < end; ++block_row) {
             fill_highest_of_rows(field, block_row, over_m);
-            for (const float height_m : over_m)
-                raise(greatest[block_row], height_m == kNoGround_m ? 0.0f : std::abs(height_m));
             for (std::size_t x = 0; x < columns; ++x)
                 over_m[x] -= static_cast<float>(plane_.at(0.0, static_cast<double>(x)));
-            for (std::size_t block = 0; block < first.columns; ++block) {
-                const std::size_t last_x = std::min((block + 1) * kBlock, columns - 1);
-                float highest_m = kNoGround_m;
-                for (std::size_t x = block * kBlock; x <= last_x; ++x)
-                    raise(highest_m, over_m[x]);
-                first.highest_m[block_row * first.columns + block] = highest_m;
-            }
+            highest_of_blocks(over_m, {first.highest_m.data() + block_row * first.columns, first.columns});
         }
     });
-    // Heights, what they are lowered by, and what is left: three roundings of numbers no greater than this.
-    const double lowered_m = std::abs(plane_.at(static_cast<double>(field.rows()), 0.0))
-                             + std::abs(plane_.at(0.0, static_cast<double>(columns)));
-    rounding_m_ = 1e-6 * (static_cast<double>(std::ranges::max(greatest)) + 2.0 * lowered_m);
     levels_.push_back(std::move(first));
 }
 

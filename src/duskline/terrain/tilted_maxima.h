@@ -35,8 +35,10 @@ public:
 
     TiltedMaxima() = default;
 
-    /// One pass over the heights; memory: a third of a byte a cell. Keeps no view. Throws Cancelled.
-    TiltedMaxima(const HeightField& field, const TiltedPlane& plane, const Execution& execution = {});
+    /// One pass over the heights, none of which is greater in magnitude than `greatest_m`; memory: a third of a byte a
+    /// cell. Keeps no view. Throws Cancelled.
+    TiltedMaxima(const HeightField& field, const TiltedPlane& plane, double greatest_m,
+                 const Execution& execution = {});
 
     /// The level whose one block covers everything.
     std::size_t last_level() const { return kFirstLevel + levels_.size() - 1; }
