@@ -1,7 +1,9 @@
 #include "caster_bench.h"
 #include "command.h"
+#include "exit_code.h"
 #include "height_input.h"
 #include "help_page.h"
+#include "lamp_options.h"
 #include "light_options.h"
 #include "option_values.h"
 #include "progress_bar.h"
@@ -10,6 +12,7 @@
 #include "run_options.h"
 
 #include <duskline/casting/kernels/kernels.h>
+#include <duskline/casting/lamps.h>
 #include <duskline/execution/for_rows.h>
 #include <duskline/raster_io/memory_need.h>
 
@@ -24,6 +27,7 @@ namespace {
 struct BenchOptions {
     InputOptions input;
     LightOptions light;
+    LampOptions lamps;
     std::string casters; // empty: the usual ones
     std::optional<std::size_t> runs;
     RunOptions run;
@@ -54,11 +58,11 @@ bool leaves_out_ray(std::size_t cells)
     return cells > kMostCellsForRay;
 }
 
-std::vector<const Caster*> usual_casters(std::size_t cells)
+std::vector<const Caster*> usual_casters(std::size_t cells, bool for_lamp)
 {
     std::vector<const Caster*> casters;
     for (const Caster& caster : kCasters)
-        if (caster.name != "ray" || !leaves_out_ray(cells))
+        if ((caster.name != "ray" || !leaves_out_ray(cells)) && (!for_lamp || caster.cast_lamp != nullptr))
             casters.push_back(&caster);
     return casters;
 }
@@ -113,22 +117,61 @@ std::string as_row(const CasterBench& bench, double memcpy_s)
                        bench.times.count());
 }
 
-void report_scene(const HeightFile& file, const ChosenLight& chosen, const EarthCurvature& curvature,
-                  Report& report)
+// The light, and how it is spoken of.
+struct Asked {
+    BenchLight light;
+    std::string in_words;
+    nlohmann::ordered_json fields;
+};
+
+Asked ask_sun(const ChosenLight& chosen, const HeightFile& file)
 {
     const double azimuth_deg = wrapped_to_circle(chosen.light.azimuth + file.ground().grid_north).degrees();
     const double altitude_deg = chosen.light.altitude.degrees();
-    report.line(fmt::format("{}: {} rows x {} columns, light from azimuth {:g}, altitude {:g}",
-                            file.facts().path, file.rows(), file.columns(), azimuth_deg, altitude_deg));
+    Asked asked{chosen.light,
+                fmt::format("light from azimuth {:g}, altitude {:g}", azimuth_deg, altitude_deg),
+                {{"azimuth_deg", azimuth_deg}, {"altitude_deg", altitude_deg}}};
+    if (chosen.time)
+        asked.fields["time_utc"] = to_iso8601({chosen.time->utc});
+    return asked;
+}
+
+Asked ask_lamp(const ChosenLamp& lamp)
+{
+    return {lamp.light,
+            "lamp at " + in_words(lamp),
+            {{"lamp", {{"x", lamp.x}, {"y", lamp.y}, {"height_m", lamp.height_m}}}}};
+}
+
+Asked ask(const BenchOptions& options, const HeightFile& file, const EarthCurvature& curvature,
+          Report& report)
+{
+    if (!options.lamps.given())
+        return ask_sun(choose_light(options.light, light_site(file.ground()), report), file);
+    return ask_lamp(choose_lamps(options.lamps, options.input, options.run, file, curvature, report).front());
+}
+
+void require_one_light(const BenchOptions& options, const std::vector<const Caster*>& casters)
+{
+    require_lamps_or_sun(options.lamps, options.light);
+    if (!options.lamps.given())
+        return;
+    if (options.lamps.points.size() > 1)
+        throw UsageError(fmt::format("bench takes one --point, got {}", options.lamps.points.size()));
+    for (const Caster* caster : casters)
+        require_takes_lamps(*caster);
+}
+
+void report_scene(const HeightFile& file, const Asked& asked, const EarthCurvature& curvature, Report& report)
+{
+    report.line(fmt::format("{}: {} rows x {} columns, {}", file.facts().path, file.rows(), file.columns(),
+                            asked.in_words));
     report.field("input", file.facts().path);
     report.field("rows", file.rows());
     report.field("columns", file.columns());
     report.field("cells", file.rows() * file.columns());
     report.json()["cell_size_m"] = {file.ground().cell_size_m.x, file.ground().cell_size_m.y};
-    report.field("azimuth_deg", azimuth_deg);
-    report.field("altitude_deg", altitude_deg);
-    if (chosen.time)
-        report.field("time_utc", to_iso8601({chosen.time->utc}));
+    report.json().update(asked.fields);
     report.field("curvature", curvature.coefficient);
 }
 
@@ -180,15 +223,17 @@ void run_bench(const BenchOptions& options)
     std::vector<const Caster*> asked_for;
     if (!options.casters.empty())
         asked_for = casters_named(options.casters);
+    require_one_light(options, asked_for);
     HeightFile file = open_heights(options.input, options.run, report);
-    const ChosenLight chosen = choose_light(options.light, light_site(file.ground()), report);
     const EarthCurvature curvature = choose_curvature(options.input, file, report);
+    const Asked asked = ask(options, file, curvature, report);
     require_memory(file.rows(), file.columns(), kBytesPerCell, "'" + file.facts().path + "'");
     const std::size_t cells = file.rows() * file.columns();
-    report_scene(file, chosen, curvature, report);
+    report_scene(file, asked, curvature, report);
     report_machine(options, report);
 
-    const BenchPlan plan{.casters = options.casters.empty() ? usual_casters(cells) : asked_for,
+    const BenchPlan plan{.casters = options.casters.empty() ? usual_casters(cells, options.lamps.given())
+                                                            : asked_for,
                          .runs = options.runs,
                          .threads = options.run.threads};
     BenchResult result;
@@ -199,7 +244,7 @@ void run_bench(const BenchOptions& options)
         if (curvature.coefficient != 0.0)
             CurvedEarth(curvature, terrain.cell_size_m, file.columns()).lower(terrain.heights_m.view());
         report_reading(file, report);
-        result = bench_casters(terrain, chosen.light, plan, bar);
+        result = bench_casters(terrain, asked.light, plan, bar);
     }
     report_result(result, report);
     if (options.casters.empty() && leaves_out_ray(cells))
@@ -236,6 +281,7 @@ Run declare_bench(CLI::App& app)
     const auto options = std::make_shared<BenchOptions>();
     add_input_options(app, options->input);
     add_light_options(app, options->light);
+    add_point_option(app, options->lamps, ", for the casters that take lamps");
     add_bench_options(app, *options);
     add_run_options(app, options->run);
     add_details(

@@ -21,8 +21,16 @@ constexpr double kCheckingEnds = 0.5;
 
 struct Scene {
     const Terrain& terrain;
-    DirectionalLight light;
+    BenchLight light;
     std::size_t threads;
+
+    ShadowMask cast(const Caster& caster, const HeightField& field, const ProgressCallback& progress) const
+    {
+        const Execution execution{.threads = threads, .progress = progress};
+        if (const auto* lamp = std::get_if<PointLight>(&light))
+            return caster.cast_lamp(field, *lamp, execution);
+        return caster.cast(field, std::get<DirectionalLight>(light), execution);
+    }
 };
 
 struct Checked {
@@ -36,8 +44,7 @@ void warm_up(const Scene& scene, const Caster& caster)
 {
     constexpr std::size_t side = 64;
     const HeightField field = scene.terrain;
-    caster.cast(field.window(0, 0, std::min(field.rows(), side), std::min(field.columns(), side)),
-                scene.light, {.threads = scene.threads});
+    scene.cast(caster, field.window(0, 0, std::min(field.rows(), side), std::min(field.columns(), side)), {});
 }
 
 Checked check(const Scene& scene, const Caster& caster, const ProgressCallback& progress)
@@ -47,8 +54,7 @@ Checked check(const Scene& scene, const Caster& caster, const ProgressCallback& 
     const PeakMemory memory;
     {
         const Stopwatch watch(checked.seconds);
-        checked.mask =
-            caster.cast(scene.terrain, scene.light, {.threads = scene.threads, .progress = progress});
+        checked.mask = scene.cast(caster, scene.terrain, progress);
     }
     checked.peak_bytes = memory.bytes();
     return checked;
@@ -135,9 +141,7 @@ void time_cast(const Scene& scene, CasterBench& bench)
     ShadowMask mask; // its end is not timed
     {
         const Stopwatch watch(seconds);
-        mask =
-            bench.caster->cast(scene.terrain, scene.light,
-                               {.threads = scene.threads, .progress = [](double) { return !interrupted(); }});
+        mask = scene.cast(*bench.caster, scene.terrain, [](double) { return !interrupted(); });
     }
     bench.times.add(seconds);
 }
@@ -174,7 +178,7 @@ double Times::median_s() const
     return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2.0;
 }
 
-BenchResult bench_casters(const Terrain& terrain, const DirectionalLight& light, const BenchPlan& plan,
+BenchResult bench_casters(const Terrain& terrain, const BenchLight& light, const BenchPlan& plan,
                           ProgressBar& bar)
 {
     const Scene scene{terrain, light, plan.threads};

@@ -7,13 +7,17 @@
 
 #include <cstddef>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace duskline::cli {
 
+/// A sun or a lamp.
+using BenchLight = std::variant<DirectionalLight, PointLight>;
+
 /// What to measure.
 struct BenchPlan {
-    std::vector<const Caster*> casters;
+    std::vector<const Caster*> casters;   ///< that take the light
     std::optional<std::size_t> runs = {}; ///< of each caster, at least 1; else as many as fit in two seconds
     std::size_t threads = 0;              ///< 0: every core
 };
@@ -52,7 +56,7 @@ struct BenchResult {
 ///
 /// A caster whose first cast takes longer than all its runs may, unless their number is given, is not cast
 /// again: that one is its time. Throws Cancelled on an interruption, and what casters throw.
-BenchResult bench_casters(const Terrain& terrain, const DirectionalLight& light, const BenchPlan& plan,
+BenchResult bench_casters(const Terrain& terrain, const BenchLight& light, const BenchPlan& plan,
                           ProgressBar& bar);
 
 } // namespace duskline::cli

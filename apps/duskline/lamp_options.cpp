@@ -122,14 +122,20 @@ ChosenLamp choose_lamp(const std::string& text, HeightFile& file, const EarthCur
 
 } // namespace
 
-void add_lamp_options(CLI::App& app, LampOptions& options)
+void add_point_option(CLI::App& app, LampOptions& options, const std::string& more)
 {
     app.add_option("--point", options.points,
                    "instead of the sun a lamp at map coordinates X,Y, Z metres high, or +Z metres above the "
-                   "ground; may be repeated: lit is what at least one lamp lights")
+                   "ground"
+                       + more)
         ->type_name("X,Y,Z")
         ->allow_extra_args(false)
         ->group(kGroup);
+}
+
+void add_lamp_options(CLI::App& app, LampOptions& options)
+{
+    add_point_option(app, options, "; may be repeated: lit is what at least one lamp lights");
     app.add_flag("--count", options.count,
                  "write how many of the lamps light each cell, 0 to 254; 255 no data")
         ->group("Output");

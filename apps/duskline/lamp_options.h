@@ -33,6 +33,7 @@ struct ChosenLamp {
 };
 
 /// `options` must outlive `app`'s parsing.
+void add_point_option(CLI::App& app, LampOptions& options, const std::string& more = {});
 void add_lamp_options(CLI::App& app, LampOptions& options);
 
 /// Throws UsageError when lamps are mixed with a sun, or when --count has none to count.

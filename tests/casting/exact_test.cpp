@@ -112,5 +112,22 @@ TEST(Exact, LongListsOfCandidatesArePruned)
     }
 }
 
+TEST(Exact, ALakeUnderASunOnTheHorizonIsDecidedByShortLists)
+{
+    // At 3810 m rounding spans many lines of a sun this low: all of them may matter, and column lines besides.
+    for (const double bump_m : {0.0, 0.5}) {
+        Terrain lake{Grid<float>(300, 280, 3810.0f), {30.0, 30.0}};
+        Dice dice(7);
+        for (float& height_m : lake.heights_m.values())
+            height_m += static_cast<float>(dice.between(0.0, bump_m));
+        for (const double altitude : {0.03, 0.001})
+            for (const double azimuth : {203.0, 270.0}) {
+                const DirectionalLight light{Angle::from_degrees(azimuth), Angle::from_degrees(altitude)};
+                EXPECT_EQ(differing(cast_by_fast_ray(lake, light), cast_by_exact(lake, light)), 0U)
+                    << "bumps of " << bump_m << " m, azimuth " << azimuth << ", altitude " << altitude;
+            }
+    }
+}
+
 } // namespace
 } // namespace duskline

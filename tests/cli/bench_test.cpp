@@ -1,5 +1,7 @@
 #include "raster_run.h"
 
+#include <duskline/casting/casters.h>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -68,6 +70,39 @@ protected:
         return count;
     }
 };
+
+TEST_F(BenchCommand, MeasuresTheCastersThatTakeLamps)
+{
+    make(hills(90, 120));
+    const auto bench = bench_for_json({"dem.tif", "--point", "500600,3999300,+40", "--runs", "1"});
+    EXPECT_EQ(bench["lamp"]["x"], 500600.0);
+    EXPECT_GT(bench["lamp"]["height_m"], 40.0);
+    EXPECT_FALSE(bench.contains("azimuth_deg"));
+    std::size_t casters = 0;
+    for (const Caster& caster : kCasters)
+        casters += caster.cast_lamp != nullptr ? 1 : 0;
+    EXPECT_EQ(bench["casters"].size(), casters);
+    for (const auto& caster : bench["casters"])
+        EXPECT_EQ(caster["differing"], 0) << caster["name"];
+    const Finished shadow =
+        run({"shadow", "dem.tif", "lamp.tif", "--point", "500600,3999300,+40", "--caster", "ray", "--json"});
+    EXPECT_EQ(bench["shadow"], nlohmann::json::parse(shadow.out)["shadow"]);
+}
+
+TEST_F(BenchCommand, TakesOneLampAndNoSunBesides)
+{
+    make(hills(20, 20));
+    const Arguments lamp = {"dem.tif", "--point", "500600,3999300,+40"};
+    const auto refused = [&](Arguments more, const char* why) {
+        more.insert(more.begin(), lamp.begin(), lamp.end());
+        const Finished finished = bench(more);
+        EXPECT_EQ(finished.exit_code, 2);
+        EXPECT_THAT(finished.err, HasSubstr(why));
+    };
+    refused({"--azimuth", "10", "--altitude", "5"}, "not both");
+    refused({"--point", "1,2,3"}, "bench takes one --point, got 2");
+    refused({"--casters", "exact,sweep"}, "'sweep' takes no point lights");
+}
 
 TEST_F(BenchCommand, SaysEverythingInJson)
 {

@@ -389,6 +389,8 @@ private:
             return;
         candidates_.add(unit, base_[unit], Candidate::between(v_));
         above_m_[unit] = std::max(above_m_[unit], static_cast<float>(over));
+        if (candidates_.is_full(unit))
+            drop_hidden_candidates(cell, unit);
     }
 
     RayStart start(std::ptrdiff_t cell) const

@@ -636,6 +636,8 @@ private:
             return;
         candidates_.add_once(unit, base_[unit], Candidate::between(static_cast<std::size_t>(line_)));
         above_[unit] = std::max(above_[unit], over);
+        if (candidates_.is_full(unit))
+            drop_hidden_candidates(unit);
     }
 
     // A candidate's pieces in a unit: of a line one, of lines across a few.
