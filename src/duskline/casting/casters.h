@@ -3,6 +3,7 @@
 #include <duskline/casting/exact.h>
 #include <duskline/casting/ray.h>
 #include <duskline/casting/shadow_mask.h>
+#include <duskline/casting/smap.h>
 #include <duskline/casting/sweep.h>
 #include <duskline/execution/progress.h>
 
@@ -41,6 +42,10 @@ inline constexpr std::array kCasters = {
     Caster{"sweep", "carry one front of shadow heights across the grid; fastest, off only at shadow edges",
            "plane sweep in the frame of the beams", false, cast_by_sweep, shadow_heights_by_sweep, nullptr,
            nullptr},
+    Caster{"smap",
+           "ask a map of silhouettes, the only ground that can shade; lines along the light do not count",
+           "Sakalauskas, Hybrid Terrain Shadow Ray Casting, 2008", false, cast_by_smap,
+           shadow_heights_by_smap, nullptr, nullptr},
 };
 
 /// The caster of that name. Throws InvalidInput, listing the names there are.

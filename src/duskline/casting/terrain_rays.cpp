@@ -21,8 +21,7 @@
 #include <duskline/casting/ray_blocks.h>
 #include <duskline/casting/ray_cells.h>
 #include <duskline/casting/ray_march.h>
-
-#include <string>
+#include <duskline/casting/require_place.h>
 
 namespace duskline {
 
@@ -77,22 +76,6 @@ private:
     const MinMaxPyramid& pyramid_;
 };
 
-void require_place(const char* what, double coordinate)
-{
-    // The farthest place whose neighbours a double can still name.
-    constexpr double farthest = 4503599627370496.0;
-    if (!(std::abs(coordinate) <= farthest))
-        throw InvalidInput(std::string(what)
-                           + " must be a finite number of cells, at most 2^52 from the grid, got "
-                           + std::to_string(coordinate));
-}
-
-void require_height(const GridPoint& point)
-{
-    if (std::isnan(point.height_m))
-        throw InvalidInput("the height of a point must be a number, got NaN");
-}
-
 } // namespace
 
 TerrainRays::TerrainRays(const HeightField& field, const Execution& execution) : field_(field)
@@ -103,8 +86,7 @@ TerrainRays::TerrainRays(const HeightField& field, const Execution& execution) :
 
 double TerrainRays::shadow_height_m(double row, double column, const DirectionalLight& light) const
 {
-    require_place("row", row);
-    require_place("column", column);
+    require_place(row, column);
     require_valid(light);
     if (const auto answer = uniform_answer(light))
         return *answer == Lit::no ? -kNothing : kNothing;
@@ -120,8 +102,7 @@ double TerrainRays::shadow_height_m(double row, double column, const Directional
 bool TerrainRays::is_shadowed(const GridPoint& point, const DirectionalLight& light) const
 {
     require_height(point);
-    require_place("row", point.row);
-    require_place("column", point.column);
+    require_place(point.row, point.column);
     require_valid(light);
     if (const auto answer = uniform_answer(light))
         return *answer == Lit::no && point.height_m < kNeverEnough;
@@ -163,8 +144,7 @@ ShadowField TerrainRays::shadow_heights(const DirectionalLight& light, const Exe
 
 double TerrainRays::shadow_height_m(double row, double column, const PointLight& light) const
 {
-    require_place("row", row);
-    require_place("column", column);
+    require_place(row, column);
     require_valid(light);
     if (field_.heights_m.empty())
         return kNothing;

@@ -57,16 +57,6 @@ VisibleFraction as_fraction(const ShadowMask& mask)
     return result;
 }
 
-// A part of the work that `execution` follows.
-Execution part_of(const Execution& execution, double from, double to)
-{
-    if (!execution.progress)
-        return execution;
-    return {.threads = execution.threads, .progress = [&execution, from, to](double done) {
-                return execution.progress(from + (to - from) * done);
-            }};
-}
-
 // ---------------------------------------------------------------------------------------------------------
 // Horizons
 

@@ -24,4 +24,14 @@ struct Execution {
     ProgressCallback progress = {};
 };
 
+/// The same, for a part of the work that takes its progress from one share to another. `execution` must outlive it.
+inline Execution part_of(const Execution& execution, double from, double to)
+{
+    if (!execution.progress)
+        return execution;
+    return {.threads = execution.threads, .progress = [&execution, from, to](double done) {
+                return execution.progress(from + (to - from) * done);
+            }};
+}
+
 } // namespace duskline

@@ -6,6 +6,7 @@
 // after foreach_target.h
 #include <duskline/casting/kernels/bracket_line-inl.h>
 #include <duskline/casting/kernels/lamp_line-inl.h>
+#include <duskline/casting/kernels/silhouettes-inl.h>
 #include <duskline/casting/kernels/sweep_lines-inl.h>
 #include <duskline/casting/kernels/transpose-inl.h>
 
@@ -22,6 +23,8 @@ Kernels kernels_called(std::string_view isa)
             heights_over,
             bracket_lamp_line,
             rising_lines_across,
+            mark_silhouettes,
+            search_next_silhouettes,
             highest_magnitude,
             transpose_floats,
             transpose_bytes};

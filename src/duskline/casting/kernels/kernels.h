@@ -139,6 +139,52 @@ struct LampCells {
     std::uint32_t* rising = nullptr; ///< filled; one for each cell at most
 };
 
+/// Beams of a silhouette map that are built together (smap_beams.cpp).
+constexpr int kBeamsPerBandLog2 = 5;
+constexpr std::size_t kBeamsPerBand = std::size_t{1} << kBeamsPerBandLog2;
+
+/// Places of a section at which its line is compared with the lines before and after.
+constexpr std::size_t kSectionPlaces = 5;
+
+/// Where a place of a section lies on a line: a share of the way from a sample, 0 or 1, to the next.
+struct SectionTap {
+    std::size_t sample = 0;
+    float share = 0.0f;
+};
+
+/// A band of neighbouring beams, line after line of kBeamsPerBand values. Heights are tilted.
+struct SilhouetteBand {
+    std::size_t first_line = 0; ///< lines from the light to the first one here
+    std::size_t lines = 0;
+    bool better = true; ///< leave out silhouettes that cannot shadow, and those covered by the next
+
+    /// Black in bit 0, and above it the next line of the band with a silhouette, plus 1; 0 for none.
+    std::int32_t* texels = nullptr;
+    float* highest_first = nullptr; ///< a straight bound over the ground of a section, at its two ends
+    float* highest_last = nullptr;
+    float* lowest_first = nullptr; ///< and one under it; NaN where some ground is missing
+    float* lowest_last = nullptr;
+};
+
+/// One line of a band, whose colours and bounds are wanted. Index i is a beam, and the first of the three samples that
+/// its section takes from a line.
+struct SilhouetteLine {
+    const float* before =
+        nullptr; ///< samples of the line nearer the light; kBeamsPerBand + 2, NaN outside the grid
+    const float* own = nullptr;
+    const float* after = nullptr;
+    SectionTap before_taps[kSectionPlaces];
+    SectionTap own_taps[kSectionPlaces];
+    SectionTap after_taps[kSectionPlaces];
+    float part = 0.0f;       ///< where sections begin, of the way from their first sample to the second
+    float rise_m = 0.0f;     ///< how much lower the line before looks along the light, rounding included
+    float fall_m = 0.0f;     ///< and the line after
+    float tilt_m = 0.0f;     ///< added to heights
+    float rounding_m = 0.0f; ///< what tilted heights may be wrong by
+    bool first_sample_counts = false; ///< whether it is ground of the section even beside a hole
+    SilhouetteBand out;               ///< the band from this line on
+};
+
 /// The SIMD code of one processor level. All levels give the same bytes.
 struct Kernels {
     std::string_view isa; ///< "scalar", "ssse3", "sse4", "avx2", "avx512"
@@ -161,6 +207,12 @@ struct Kernels {
 
     /// Lists the cells whose line across, from the line before, may rise over both lines; returns how many.
     std::size_t (*rising_lines_across)(const LampCells&, std::size_t cells);
+
+    /// Colours the sections of a line and bounds their ground; NextV is left at none.
+    void (*mark_silhouettes)(const SilhouetteLine&);
+
+    /// NextV of all texels of a band whose colours are known, by the parallel quad search.
+    void (*search_next_silhouettes)(const SilhouetteBand&);
 
     /// The greatest magnitude among the values that are not NaN; 0 when there is none.
     float (*highest_magnitude)(const float* values, std::size_t count);
