@@ -3,7 +3,7 @@
 # cmake -D CXX=compiler -D BINARY=folder and either
 #   -D SOURCE=folder [-D OPTIONS=list]   a CMake project, configured with these options, or
 #   -D PKG_CONFIG=program -D PREFIX=...  the consumer by pkg-config from that prefix
-# and, where Duskline reads files, -D WITH_FILES=ON; -P consume.cmake
+# and, where Duskline reads files, -D WITH_FILES=ON, where it has OpenGL, -D WITH_GL=ON; -P consume.cmake
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -33,6 +33,9 @@ else()
   if(WITH_FILES)
     build_with_pkg_config(duskline_raster_io from_file.cpp consumer_of_files)
   endif()
+  if(WITH_GL)
+    build_with_pkg_config(duskline_gl on_card.cpp consumer_on_card)
+  endif()
 endif()
 
 function(expect_ten_cells)
@@ -44,4 +47,7 @@ endfunction()
 expect_ten_cells(${BINARY}/consumer)
 if(WITH_FILES)
   expect_ten_cells(${BINARY}/consumer_of_files ${CMAKE_CURRENT_LIST_DIR}/consumer/wall.asc)
+endif()
+if(WITH_GL)
+  expect_ten_cells(${BINARY}/consumer_on_card)
 endif()
