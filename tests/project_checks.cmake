@@ -31,6 +31,15 @@ if(DUSKLINE_BUILD_EXAMPLES)
       -D EXPECTED=${CMAKE_CURRENT_SOURCE_DIR}/examples/${example}.txt -P ${CMAKE_CURRENT_SOURCE_DIR}/expect_output.cmake)
   endforeach()
 endif()
+if(DUSKLINE_BUILD_EXAMPLES AND DUSKLINE_WITH_GL) # 5 says that there is no device for OpenGL
+  set(picture ${CMAKE_CURRENT_BINARY_DIR}/shadow_in_a_renderer.ppm)
+  add_test(NAME examples.shadow_in_a_renderer COMMAND shadow_in_a_renderer ${picture})
+  add_test(NAME examples.picture_has_shadows_on_towers COMMAND Python3::Interpreter
+    ${CMAKE_CURRENT_SOURCE_DIR}/examples/check_towers.py ${picture})
+  set_tests_properties(examples.shadow_in_a_renderer PROPERTIES SKIP_RETURN_CODE 5 FIXTURES_SETUP rendered_picture)
+  set_tests_properties(examples.picture_has_shadows_on_towers PROPERTIES SKIP_RETURN_CODE 77
+    FIXTURES_REQUIRED rendered_picture)
+endif()
 if(DUSKLINE_INSTALL AND NOT DUSKLINE_SANITIZE)
   add_subdirectory(install)
 endif()

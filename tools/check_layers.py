@@ -26,13 +26,13 @@ MAY_INCLUDE = {
     "gl": {"geometry", "execution", "terrain", "light", "casting", "view"},
 }
 
-# Include lines of a library -> the one folder of src/duskline or apps that may have them.
+# Include lines of a library -> the folder, or folders, that may have them. Examples may show OpenGL of their own.
 EXTERNAL = {
     r"tbb/|oneapi/": "src/duskline/execution",
     r"hwy/": "src/duskline/casting/kernels",
     r"erfa": "src/duskline/light",
     r"(gdal|ogr|cpl|vrt|proj)[\w]*\.h": "src/duskline/raster_io",
-    r"epoxy/|GL/|EGL/|GLES": "src/duskline/gl",
+    r"epoxy/|GL/|EGL/|GLES": ("src/duskline/gl", "examples"),
     r"CLI/|nlohmann/|fmt/": "apps",
     r"GLFW/|imgui": "apps/viewer",
 }
@@ -74,7 +74,8 @@ def wrong_external(root):
             name = file.relative_to(root).as_posix()
             for included in includes_of(file):
                 homes = [home for pattern, home in EXTERNAL.items() if re.match(pattern, included)]
-                if homes and not name.startswith(homes[0] + "/"):
+                homes = [folder for home in homes for folder in ([home] if isinstance(home, str) else home)]
+                if homes and not any(name.startswith(home + "/") for home in homes):
                     yield f"{name}: only {homes[0]}/ may include <{included}>"
                 elif homes and name.removeprefix("src/duskline/") in public:
                     yield f"{name}: a header that is installed may not include <{included}>"

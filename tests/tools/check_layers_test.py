@@ -17,6 +17,7 @@ CLEAN = {
     "src/duskline/execution/for_rows.cpp": "#include <tbb/parallel_for.h>\n",
     "src/duskline/raster_io/read.cpp": "#include <gdal_priv.h>\n#include <duskline/casting/sweep.h>\n",
     "apps/duskline/main.cpp": '#include "shadow_command.h"\n#include <CLI/CLI.hpp>\n',
+    "examples/renderer.cpp": "#include <epoxy/gl.h>\n",
     "tests/raster_io/read_test.cpp": "#include <gdal.h>\n",
 }
 
