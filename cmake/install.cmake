@@ -52,6 +52,9 @@ if(TARGET duskline_gl)
     DESCRIPTION "Terrain shadows in OpenGL, for Duskline"
     REQUIRES "duskline = ${PROJECT_VERSION}"
     DEPENDENCIES epoxy)
+  # For renderers that read their shaders from files.
+  install(FILES src/duskline/gl/shaders/terrain_shadow.glsl src/duskline/gl/shaders/terrain_shadow_block.h
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/duskline/shaders)
 endif()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/dusklineConfig.cmake.in

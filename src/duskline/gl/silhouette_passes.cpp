@@ -208,10 +208,10 @@ Grid<SilhouetteTexel> SilhouettePasses::read_texels() const
     Grid<SilhouetteTexel> all(s.line_count, s.cells + 1);
     const auto fill = [&](const auto& packed, std::size_t lanes, auto&& lane_of) {
         for (std::size_t v = 0; v < s.line_count; ++v) {
-            const int moved = s.lines[v / lanes * lanes].shift - s.lines[v].shift + s.margin;
+            const int moved = s.lines[v - v % lanes].shift - s.lines[v].shift + s.margin;
+            const auto row = packed.row(v / lanes).subspan(static_cast<std::size_t>(moved));
             for (std::size_t x = 0; x <= s.cells; ++x)
-                all(v, x).bits = lane_of(
-                    packed(v / lanes, static_cast<std::size_t>(static_cast<int>(x) + moved)), v % lanes);
+                all(v, x).bits = lane_of(row[x], v % lanes);
         }
     };
     if (lanes_of(s.options) == 4)
