@@ -29,6 +29,21 @@ bool is_truth(const Caster& caster)
     return caster.name == "ray" || caster.name == "fast-ray";
 }
 
+bool takes_slopes_for_stairs(const Caster& caster)
+{
+    return caster.name == "line-march";
+}
+
+bool steps_over_crests(const Caster& caster)
+{
+    return caster.name.starts_with("line-march");
+}
+
+bool answers_beside_centres(const Caster& caster)
+{
+    return caster.name == "strider";
+}
+
 namespace {
 
 // Whether a cell of another answer lies within `distance` of this one.
@@ -69,9 +84,8 @@ bool edge_passes_by(const HeightField& field, const ShadowField& shadows, std::s
     return false;
 }
 
-Grid<char> edges(const HeightField& field, const DirectionalLight& light)
+Grid<char> edges(const HeightField& field, const ShadowField& shadows)
 {
-    const ShadowField shadows = shadow_heights_by_fast_ray(field, light);
     const ShadowMask mask = mask_of(field, shadows);
     Grid<char> result(mask.rows(), mask.columns());
     for (std::size_t row = 0; row < mask.rows(); ++row)
@@ -111,7 +125,14 @@ Grid<char> excuses(const Caster& caster, const HeightField& field, const Directi
 {
     if (is_truth(caster) || field.heights_m.empty())
         return {field.rows(), field.columns(), 0};
-    return caster.exact ? ties(field, light) : edges(field, light);
+    return caster.exact ? ties(field, light) : edges(field, shadow_heights_by_fast_ray(field, light));
+}
+
+Grid<char> excuses(const Caster& caster, const HeightField& field, const PointLight& lamp)
+{
+    if (caster.exact || field.heights_m.empty())
+        return {field.rows(), field.columns(), 0};
+    return edges(field, shadow_heights_by_fast_ray(field, lamp));
 }
 
 testing::AssertionResult same_mask(const ShadowMask& actual, const ShadowMask& expected)

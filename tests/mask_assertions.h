@@ -19,6 +19,16 @@ std::string test_name(const testing::TestParamInfo<Caster>& info);
 /// Whether a caster is the truth itself, and owes every cell.
 bool is_truth(const Caster& caster);
 
+/// Whether a caster takes the nearest sample for the ground under a ray: slopes are stairs to it, whose steps cast
+/// shadows anywhere, not only beside edges.
+bool takes_slopes_for_stairs(const Caster& caster);
+
+/// Whether a caster looks at places a cell apart and at nothing between them, crests narrower than that included.
+bool steps_over_crests(const Caster& caster);
+
+/// Whether a caster answers for a place up to half a cell from a cell's centre.
+bool answers_beside_centres(const Caster& caster);
+
 /// How far ground and ray may be apart, metres, for their order to be a matter of float rounding: 7 millionths
 /// of the highest ground, 2 cm on a 4000 m mountain (docs/accuracy.md).
 double float_rounding_m(const HeightField& field);
@@ -31,6 +41,9 @@ double float_rounding_m(const HeightField& field);
 ///                  changes within a cell. Such casters move edges: they interpolate what lies between
 ///                  samples. By a whole cell, and no more where shadows are wider than a cell.
 Grid<char> excuses(const Caster& caster, const HeightField& field, const DirectionalLight& light);
+
+/// The same for a lamp; an exact caster has no excuse.
+Grid<char> excuses(const Caster& caster, const HeightField& field, const PointLight& lamp);
 
 /// Whether two masks are the same in every cell that is not excused; else where they differ.
 testing::AssertionResult same_mask(const ShadowMask& actual, const ShadowMask& expected);

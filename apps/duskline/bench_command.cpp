@@ -103,12 +103,20 @@ nlohmann::ordered_json as_json(const CasterBench& bench, double memcpy_s)
             {"peak_bytes", or_null(bench.peak_bytes)}};
 }
 
+std::size_t longest_name()
+{
+    std::size_t longest = 0;
+    for (const Caster& caster : kCasters)
+        longest = std::max(longest, caster.name.size());
+    return longest;
+}
+
 std::string as_row(const CasterBench& bench, double memcpy_s)
 {
     const MaskDifference& difference = bench.difference;
     const double median_s = bench.times.median_s();
-    return fmt::format("{:<10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>5}", bench.caster->name,
-                       in_digits(1e3 * median_s), in_digits(1e3 * bench.times.best_s()),
+    return fmt::format("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>5}", bench.caster->name,
+                       longest_name(), in_digits(1e3 * median_s), in_digits(1e3 * bench.times.best_s()),
                        in_digits(static_cast<double>(difference.cells) / median_s / 1e6),
                        in_digits(median_s / memcpy_s), difference.differing,
                        fmt::format("{:.4f} %", 100.0 * share(difference.differing, difference.cells)),
@@ -189,9 +197,9 @@ void report_result(const BenchResult& result, Report& report)
                             threads > 1 ? "s" : "", report.json()["kernel"].get<std::string>(),
                             in_digits(1e3 * memcpy_s)));
     report.line("");
-    report.line(fmt::format("{:<10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>5}", "caster",
-                            "median ms", "best ms", "Mcells/s", "x memcpy", "differing", "share", "farthest",
-                            "peak MiB", "runs"));
+    report.line(fmt::format("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>5}", "caster",
+                            longest_name(), "median ms", "best ms", "Mcells/s", "x memcpy", "differing",
+                            "share", "farthest", "peak MiB", "runs"));
     report.field("memcpy_ms", 1e3 * memcpy_s);
     report.field("memcpy_best_ms", 1e3 * result.memcpy_times.best_s());
     report.field("truth", result.truth->name);
@@ -213,7 +221,7 @@ void report_missing_ray(Report& report)
     const std::string text = fmt::format("left out on more than {} cells, where it takes long; --casters "
                                          "ray,exact asks for it",
                                          kMostCellsForRay);
-    report.line("ray        " + text);
+    report.line(fmt::format("{:<{}} {}", "ray", longest_name(), text));
     report.note("ray is " + text);
 }
 

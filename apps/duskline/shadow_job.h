@@ -65,7 +65,7 @@ ShadowOutcome cast_whole(const ShadowJob& job);
 /// Whether `cast_in_stream` can do such a job.
 bool can_stream(const Caster& caster, ShadowResult result);
 
-/// Sweeps the file from block to block in the order the light meets them, reading, sweeping and writing at the
+/// Casts the file from block to block in the order the light meets them, reading, casting and writing at the
 /// same time. Needs memory for a few blocks of lines only. The same bytes as `cast_whole`.
 ShadowOutcome cast_in_stream(const ShadowJob& job);
 

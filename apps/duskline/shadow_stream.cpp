@@ -1,19 +1,20 @@
-// A shadow sweep from file to file.
+// Shadows from file to file, by a front that is carried over the terrain.
 //
 // The raster is cut into slabs: some hundred lines across the light, whole blocks of both files. They go, in the
 // order the light meets them, through three stages that overlap:
 //
-//      read slab 3          sweep slab 2          write slab 1
+//      read slab 3          cast slab 2           write slab 1
 //      heights, lowered     front advances,       block by block,
 //      for curvature        answers appear        compressed by GDAL
 //
-// The front (sweep.h) is all that passes from one slab to the next.
+// The front (sweep.h, strider.h) is all that passes from one slab to the next.
 
 #include "light_slabs.h"
 #include "shadow_job.h"
 #include "stopwatch.h"
 
 #include <duskline/casting/light_frame.h>
+#include <duskline/casting/strider.h>
 #include <duskline/casting/sweep.h>
 #include <duskline/execution/run_stages.h>
 #include <duskline/raster_io/memory_need.h>
@@ -31,7 +32,7 @@ constexpr std::size_t kSlabsInFlight = 4;
 constexpr std::size_t kPadding = 16;
 
 // One job; Answer is Lit or, for shadow heights, float.
-template <typename Answer>
+template <typename Front, typename Answer>
 class Stream {
 public:
     explicit Stream(const ShadowJob& job)
@@ -159,7 +160,7 @@ private:
     const ShadowJob& job_;
     std::optional<Lit> uniform_;
     LightFrame frame_;
-    SweepFront front_;
+    Front front_;
     std::size_t at_once_ = 1;
     std::vector<Slab> slabs_; // in the order of the light
     std::optional<CurvedEarth> curved_;
@@ -167,16 +168,24 @@ private:
     ShadowOutcome outcome_;
 };
 
+template <typename Front>
+ShadowOutcome run_stream(const ShadowJob& job)
+{
+    return job.result == ShadowResult::heights ? Stream<Front, float>(job).run()
+                                               : Stream<Front, Lit>(job).run();
+}
+
 } // namespace
 
 bool can_stream(const Caster& caster, ShadowResult result)
 {
-    return caster.name == "sweep" && (result == ShadowResult::mask || result == ShadowResult::heights);
+    return (caster.name == "sweep" || caster.name == "strider")
+           && (result == ShadowResult::mask || result == ShadowResult::heights);
 }
 
 ShadowOutcome cast_in_stream(const ShadowJob& job)
 {
-    return job.result == ShadowResult::heights ? Stream<float>(job).run() : Stream<Lit>(job).run();
+    return job.caster.name == "sweep" ? run_stream<SweepFront>(job) : run_stream<StriderFront>(job);
 }
 
 } // namespace duskline::cli

@@ -210,20 +210,22 @@ private:
 
     std::size_t pieces() const { return (cells_ + kCellsInPiece - 1) / kCellsInPiece; }
 
-    // The line nearest the light that can shade ground as low as that, piece by piece, on [own_line, end_line).
+    // The line nearest the light that can shade ground as low as that, piece by piece, on [own_line, end_line), and
+    // one more, which it is joined to.
     std::size_t first_that_shades(std::size_t own_line, std::size_t end_line,
                                   const std::vector<float>& lowest_m) const
     {
         for (const SurveyedSlab& slab : slabs_)
             if (slab.first_line >= own_line || can_shade(slab, own_line, end_line, lowest_m))
-                return std::min(slab.first_line, own_line);
+                return std::min(slab.first_line, own_line) - (slab.first_line > 0 ? 1 : 0);
         return own_line;
     }
 
     bool can_shade(const SurveyedSlab& slab, std::size_t own_line, std::size_t end_line,
                    const std::vector<float>& lowest_m) const
     {
-        const double fall_m = frame_.drop_m * static_cast<double>(own_line - (slab.end_line() - 1));
+        // Casters that look at the samples around a place look up to a line past it.
+        const double fall_m = frame_.drop_m * static_cast<double>(own_line - slab.end_line());
         const double moved = std::abs(frame_.lateral) * static_cast<double>(end_line - slab.first_line) + 2.0;
         const std::size_t beside = static_cast<std::size_t>(moved) / kCellsInPiece + 1;
         for (std::size_t piece = 0; piece < lowest_m.size(); ++piece) {

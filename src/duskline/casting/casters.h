@@ -1,9 +1,11 @@
 #pragma once
 
 #include <duskline/casting/exact.h>
+#include <duskline/casting/line_march.h>
 #include <duskline/casting/ray.h>
 #include <duskline/casting/shadow_mask.h>
 #include <duskline/casting/smap.h>
+#include <duskline/casting/strider.h>
 #include <duskline/casting/sweep.h>
 #include <duskline/execution/progress.h>
 
@@ -46,6 +48,17 @@ inline constexpr std::array kCasters = {
            "ask a map of silhouettes, the only ground that can shade; lines along the light do not count",
            "Sakalauskas, Hybrid Terrain Shadow Ray Casting, 2008", false, cast_by_smap,
            shadow_heights_by_smap, nullptr, nullptr},
+    Caster{"strider",
+           "cast lines from what is lit, away from the light; fast, off by half a cell at shadow edges",
+           "Strahan, Strider Technique, gamedev.net 2004", false, cast_by_strider, shadow_heights_by_strider,
+           nullptr, nullptr},
+    Caster{"line-march", "look at the nearest sample, one cell at a time towards the light; darkens slopes",
+           "Fast Computation of Terrain Shadow Maps, gamedev.net", false, cast_by_line_march,
+           shadow_heights_by_line_march, cast_by_line_march, shadow_heights_by_line_march},
+    Caster{"line-march-bilinear", "the same steps over the bilinear surface; off only at shadow edges",
+           "Fast Computation of Terrain Shadow Maps, gamedev.net", false, cast_by_line_march_bilinear,
+           shadow_heights_by_line_march_bilinear, cast_by_line_march_bilinear,
+           shadow_heights_by_line_march_bilinear},
 };
 
 /// The caster of that name. Throws InvalidInput, listing the names there are.
