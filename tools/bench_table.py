@@ -2,14 +2,18 @@
 """Prints the tables of docs/performance.md and docs/accuracy.md: what `duskline bench` says of several elevation
 models under several suns.
 
-usage: tools/bench_table.py DEM... [--table speed|accuracy] [--light AZIMUTH,ALTITUDE]... [--casters A,B]
-                            [--runs N] [-j N] [--duskline PATH] [-- OPTIONS]
+usage: tools/bench_table.py DEM... [--table speed|accuracy|casters] [--light AZIMUTH,ALTITUDE]... [--casters A,B]
+                            [--runs N] [-j N] [--pictures FOLDER] [--duskline PATH] [-- OPTIONS]
 
   --table speed             how long every caster takes, beside its error; else
   --table accuracy          where the answers differ, without times
+  --table casters           one row for each terrain and sun: the share of cells in which each caster differs
   --light AZIMUTH,ALTITUDE  degrees; else 203 and 100.3, 20 and 5 degrees high, and 90.5, 20
   --casters A,B             which to measure; else as `duskline bench` chooses
   --runs N, -j N            as `duskline bench` takes them
+  --pictures FOLDER         also draw there what every caster that is not exact gets wrong, as
+                            TERRAIN_AZIMUTH_ALTITUDE_CASTER.png: red where it lights shadow, blue where it darkens
+                            light (see compare_masks.py, which needs gdal-bin)
   --duskline PATH           the command; else that of build/release, or the one on the PATH
   OPTIONS                   more for `duskline bench`, such as --flat
 """
@@ -20,6 +24,9 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
+
+import compare_masks
 
 BUILT = pathlib.Path(__file__).parents[1] / "build" / "release" / "apps" / "duskline" / "duskline"
 LIGHTS = ["203,20", "203,5", "100.3,20", "100.3,5", "90.5,20"]
@@ -72,12 +79,22 @@ def row(columns):
     return "| " + " | ".join(columns) + " |"
 
 
-def heading(table):
-    return [row(TABLES[table]), "|" + "---|" * len(TABLES[table])]
+def shares_by_caster(bench):
+    """The columns of the table that has a column for each caster, for one terrain and sun."""
+    scene = ("terrain", "azimuth", "altitude", "in shadow")
+    columns = {name: TABLES["accuracy"][name](bench, None) for name in scene}
+    return columns | {f"`{each['name']}`": share(each["differing"], bench["cells"]) for each in bench["casters"]}
+
+
+def heading(table, bench):
+    columns = shares_by_caster(bench) if table == "casters" else TABLES[table]
+    return [row(columns), "|" + "---|" * len(columns)]
 
 
 def rows(table, bench):
-    """One row for each caster of what `duskline bench --json` printed."""
+    """What `duskline bench --json` printed, one row for each caster or one for all."""
+    if table == "casters":
+        return [row(shares_by_caster(bench).values())]
     return [row(column(bench, caster) for column in TABLES[table].values()) for caster in bench["casters"]]
 
 
@@ -98,6 +115,26 @@ def run_bench(options, dem, light):
     return json.loads(finished.stdout)
 
 
+def cast(options, bench, caster, path):
+    light = ["--azimuth", str(bench["azimuth_deg"]), "--altitude", str(bench["altitude_deg"])]
+    command = [options.duskline, "shadow", bench["input"], path, "--caster", caster, *light, "--quiet", *options.more]
+    subprocess.run(command, check=True)
+    return compare_masks.read_mask(path)
+
+
+def draw_mistakes(options, bench):
+    """A picture of the wrong cells of every caster that has some."""
+    folder = pathlib.Path(options.pictures)
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as scratch:
+        truth = cast(options, bench, bench["truth"], f"{scratch}/truth.tif")
+        for name in (each["name"] for each in bench["casters"] if each["differing"]):
+            other = cast(options, bench, name, f"{scratch}/{name}.tif")
+            light = f"{bench['azimuth_deg']:g}_{bench['altitude_deg']:g}"
+            picture = folder / f"{pathlib.Path(bench['input']).stem}_{light}_{name}.png"
+            compare_masks.draw(truth, other, str(picture), 1)
+
+
 def parsed(words):
     more = []
     if "--" in words:
@@ -105,11 +142,12 @@ def parsed(words):
     parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n\n")[0], add_help=False)
     parser.add_argument("-h", "--help", action="store_true")
     parser.add_argument("dems", nargs="*")
-    parser.add_argument("--table", choices=TABLES, default="speed")
+    parser.add_argument("--table", choices=[*TABLES, "casters"], default="speed")
     parser.add_argument("--light", action="append", default=[])
     parser.add_argument("--casters")
     parser.add_argument("--runs")
     parser.add_argument("-j", "--threads")
+    parser.add_argument("--pictures")
     parser.add_argument("--duskline", default=BUILT if BUILT.exists() else shutil.which("duskline"))
     options = parser.parse_args(words)
     options.more = more
@@ -127,11 +165,14 @@ def parsed(words):
 
 def main():
     options = parsed(sys.argv[1:])
-    print("\n".join(heading(options.table)), flush=True)
+    bench = None
     for dem in options.dems:
         for light in options.light or LIGHTS:
+            is_first = bench is None
             bench = run_bench(options, dem, light)
-            print("\n".join(rows(options.table, bench)), flush=True)
+            print("\n".join([*(heading(options.table, bench) if is_first else []), *rows(options.table, bench)]), flush=True)
+            if options.pictures:
+                draw_mistakes(options, bench)
     if options.table == "speed":
         print(f"\n{machine(bench)}")
     return 0

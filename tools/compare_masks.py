@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """Says in how many cells two shadow masks differ, and how far from a shadow edge.
 
-usage: tools/compare_masks.py TRUTH OTHER [--list N] [--picture PNG] [--json]
+usage: tools/compare_masks.py TRUTH OTHER [--list N] [--picture PNG] [--part X,Y,COLUMNS,ROWS] [--zoom N] [--json]
 
   TRUTH, OTHER   masks of one size, as `duskline shadow` writes them: 0 shadow, 1 (or 255 in a
                  picture) lit; 255 in a TIFF no data
   --list N       also print the first N cells that differ, row and column from 0
   --picture PNG  draw TRUTH in grey; red where OTHER lights its shadow, blue where it darkens its light
+  --part X,Y,COLUMNS,ROWS
+                 draw only this part, from column X and row Y on
+  --zoom N       draw every cell as N x N pixels
   --json         print one JSON object instead
 
 A cell is at distance 1 when one of its eight neighbours in TRUTH has the other answer, at distance 2 when
@@ -43,6 +46,12 @@ class Mask:
 
     def at(self, row, column):
         return self.values[row * self.columns + column]
+
+    def part(self, x, y, columns, rows):
+        """A mask of its own; none when it reaches out of this one."""
+        if min(x, y) < 0 or min(columns, rows) < 1 or x + columns > self.columns or y + rows > self.rows:
+            return None
+        return Mask(columns, b"".join(self.row_part(row, x, x + columns - 1) for row in range(y, y + rows)))
 
     def row_part(self, row, first, last):
         """Columns first to last, both included, as far as they are in the mask; empty outside its rows."""
@@ -138,11 +147,17 @@ def colours(truth, other):
     return bytes(pixels)
 
 
-def draw(truth, other, path):
+def zoomed(pixels, columns, zoom):
+    """Rows of `columns` pixels of three bytes, every pixel `zoom` times across and down."""
+    rows = (pixels[start : start + 3 * columns] for start in range(0, len(pixels), 3 * columns))
+    return b"".join(b"".join(row[i : i + 3] * zoom for i in range(0, len(row), 3)) * zoom for row in rows)
+
+
+def draw(truth, other, path, zoom):
     with tempfile.TemporaryDirectory() as folder:
         ppm = pathlib.Path(folder) / "difference.ppm"
-        header = f"P6 {truth.columns} {truth.rows} 255\n".encode()
-        ppm.write_bytes(header + colours(truth, other))
+        header = f"P6 {truth.columns * zoom} {truth.rows * zoom} 255\n".encode()
+        ppm.write_bytes(header + zoomed(colours(truth, other), truth.columns, zoom))
         run_gdal("gdal_translate", "-q", "-of", "PNG", "--config", "GDAL_PAM_ENABLED", "NO", str(ppm), path)
 
 
@@ -166,12 +181,21 @@ def stop(why):
     sys.exit(2)
 
 
+def window(text):
+    numbers = tuple(map(int, text.split(",")))
+    if len(numbers) != 4:
+        raise ValueError
+    return numbers
+
+
 def main():
     parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n")[0], add_help=False)
     parser.add_argument("-h", "--help", action="store_true")
     parser.add_argument("masks", nargs="*")
     parser.add_argument("--list", type=int, default=0)
     parser.add_argument("--picture")
+    parser.add_argument("--part", type=window)
+    parser.add_argument("--zoom", type=int, default=1)
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args()
     if options.help:
@@ -189,7 +213,10 @@ def main():
         row, column = divmod(index, truth.columns)
         print(f"  row {row}, column {column}: {truth.at(row, column)}, and {other.at(row, column)} in the other")
     if options.picture:
-        draw(truth, other, options.picture)
+        parts = [mask.part(*options.part) if options.part else mask for mask in (truth, other)]
+        if None in parts:
+            stop(f"--part reaches out of the masks, which have {truth.columns} columns and {truth.rows} rows")
+        draw(*parts, options.picture, max(options.zoom, 1))
     return 1 if result["differ"] else 0
 
 

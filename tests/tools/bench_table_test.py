@@ -57,8 +57,18 @@ class BenchTable(unittest.TestCase):
 
     def test_headings_have_the_columns_of_the_rows(self):
         for table in ("speed", "accuracy"):
-            for line in [*heading(table), *rows(table, BENCH)]:
-                self.assertEqual(line.count("|"), heading(table)[0].count("|"))
+            for line in [*heading(table, BENCH), *rows(table, BENCH)]:
+                self.assertEqual(line.count("|"), heading(table, BENCH)[0].count("|"))
+
+    def test_casters_stand_side_by_side(self):
+        self.assertEqual(
+            [*heading("casters", BENCH), *rows("casters", BENCH)],
+            [
+                "| terrain | azimuth | altitude | in shadow | `exact` | `sweep` |",
+                "|---|---|---|---|---|---|",
+                "| alps | 100.3 | 5 | 25.00 % | 0.0000 % | 0.0250 % |",
+            ],
+        )
 
     def test_times_come_with_their_machine(self):
         self.assertEqual(machine(BENCH), "2 threads, kernels `avx2`")

@@ -5,7 +5,7 @@ import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "tools"))
-from compare_masks import COLOURS, Mask, colours, compare, in_words  # noqa: E402
+from compare_masks import COLOURS, Mask, colours, compare, in_words, zoomed  # noqa: E402
 
 CODES = {"#": 0, ".": 1, "?": 255}
 
@@ -54,6 +54,17 @@ class CompareMasks(unittest.TestCase):
         pixels = colours(mask("#."), mask(".#"))
         self.assertEqual(pixels, bytes(COLOURS["false light"] + COLOURS["false shadow"]))
         self.assertEqual(colours(mask("#."), mask("#.")), bytes(COLOURS["shadow"] + COLOURS["lit"]))
+
+    def test_a_part_is_a_mask_of_its_own(self):
+        part = TRUTH.part(1, 2, 3, 2)
+        self.assertEqual((part.columns, part.rows, part.values), (3, 2, mask(".##", "...").values))
+        for outside in [(-1, 0, 2, 2), (0, 4, 1, 2), (3, 0, 3, 1), (0, 0, 0, 1)]:
+            self.assertIsNone(TRUTH.part(*outside))
+
+    def test_a_zoomed_picture_repeats_pixels_across_and_down(self):
+        self.assertEqual(zoomed(b"abcdef", 1, 2), b"abcabc" * 2 + b"defdef" * 2)
+        self.assertEqual(zoomed(b"abcdef", 2, 3), (b"abc" * 3 + b"def" * 3) * 3)
+        self.assertEqual(zoomed(b"abcdef", 2, 1), b"abcdef")
 
     def test_the_summary_names_share_and_sides(self):
         text = in_words(compare(mask("...#"), mask("..##")))
