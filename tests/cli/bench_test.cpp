@@ -83,7 +83,9 @@ TEST_F(BenchCommand, MeasuresTheCastersThatTakeLamps)
         casters += caster.cast_lamp != nullptr ? 1 : 0;
     EXPECT_EQ(bench["casters"].size(), casters);
     for (const auto& caster : bench["casters"])
-        EXPECT_EQ(caster["differing"], 0) << caster["name"];
+        if (caster_named(caster["name"].get<std::string>()).exact) {
+            EXPECT_EQ(caster["differing"], 0) << caster["name"];
+        }
     const Finished shadow =
         run({"shadow", "dem.tif", "lamp.tif", "--point", "500600,3999300,+40", "--caster", "ray", "--json"});
     EXPECT_EQ(bench["shadow"], nlohmann::json::parse(shadow.out)["shadow"]);
