@@ -1,9 +1,11 @@
 // The lit part of cells against super-sampling: k x k points over each cell, on the surface that is bilinear between
 // four samples (and so straight along rows and columns), each with a ray of its own.
 
+#include <duskline/casting/finer_mask.h>
 #include <duskline/casting/ray.h>
 #include <duskline/products/lit_fraction.h>
 #include <duskline/terrain/ground_height.h>
+#include <duskline/terrain/refined.h>
 #include <duskline/terrain/synthetic_terrain.h>
 
 #include <gtest/gtest.h>
@@ -126,6 +128,31 @@ TEST(Antialias, LeavesBordersAndHolesToTheGroundThereIs)
     EXPECT_TRUE(std::isnan(lit(4, 20)));
     EXPECT_EQ(lit(4, 21), 1.0f);
     EXPECT_THROW(super_sampled_lit_fraction(terrain, ShadowMask(9, 41, Lit::yes), light), InvalidInput);
+}
+
+TEST(Antialias, FinerCellsAddUpToTheCellsTheyShare)
+{
+    // 4 x 4 points in each of 4 x 4 finer cells: 256 points a cell, where the cell alone has 16.
+    const Terrain terrain =
+        make_gaussian_hill({.grid = {60, 60, {10.0, 10.0}}, .height_m = 120.0, .sigma_m = 60.0});
+    const DirectionalLight light = {.azimuth = 203_deg, .altitude = 20_deg};
+    const ShadowMask mask = cast_by_ray(terrain, light);
+    const LitFraction coarse = super_sampled_lit_fraction(terrain, mask, light);
+    const Terrain finer_ground = refined(terrain, 240, 240);
+    const ShadowMask finer_cells = finer_mask(terrain, mask, light, finer_ground);
+    const LitFraction finer = finer_super_sampled_lit_fraction(terrain, finer_cells, light);
+    std::size_t edges = 0;
+    for (std::size_t row = 1; row + 1 < 60; ++row)
+        for (std::size_t column = 1; column + 1 < 60; ++column) {
+            double sum = 0.0;
+            for (std::size_t i = 0; i < 16; ++i)
+                sum += finer(4 * row + i / 4, 4 * column + i % 4);
+            ASSERT_NEAR(sum / 16.0, coarse(row, column), 0.15) << row << ' ' << column;
+            edges += coarse(row, column) > 0.0f && coarse(row, column) < 1.0f ? 1U : 0U;
+        }
+    EXPECT_GT(edges, 30U);
+    EXPECT_THROW(finer_super_sampled_lit_fraction(terrain, ShadowMask(60, 59, Lit::yes), light),
+                 InvalidInput);
 }
 
 TEST(Antialias, IsTheSameForAnyNumberOfThreads)

@@ -392,5 +392,88 @@ TEST_F(WriteRasters, StopWhenAskedToWhileCopying)
     EXPECT_THAT(files_but_input(), ElementsAre("mask.png"));
 }
 
+TEST_F(WriteRasters, KeepTheirPlaceWhenTheyReplaceAPicture)
+{
+    for (int time = 0; time < 2; ++time) {
+        write_counted("mask.png", {.overwrite = true});
+        EXPECT_THAT(files_but_input(), ElementsAre("mask.png", "mask.png.aux.xml"));
+        std::array<double, 6> gt{};
+        EXPECT_EQ(opened(path("mask.png"))->GetGeoTransform(gt.data()), CE_None);
+    }
+}
+
+TEST_F(WriteRasters, PicturesOfSouthUpAndMirroredRastersAreTheRightWayUp)
+{
+    for (const auto& [x_step, y_step] :
+         {std::pair{10.0, -10.0}, std::pair{10.0, 10.0}, std::pair{-10.0, -10.0}, std::pair{-10.0, 10.0}}) {
+        MadeRaster raster{.rows = 5, .columns = 7};
+        raster.geotransform = std::array{500000.0, x_step, 0.0, 4000000.0, 0.0, y_step};
+        const HeightFile like(made(raster));
+        RasterWriter writer(path("picture.png"), like, {.samples = Samples::byte}, {.overwrite = true});
+        writer.write(0, 0, counted().view()); // north on top, as everything in the library
+        writer.finish();
+        const std::vector<float> values = values_of(path("picture.png"));
+        for (std::size_t i = 0; i < 35; ++i)
+            ASSERT_EQ(values[i], static_cast<float>(i));
+        const double west = x_step > 0.0 ? 500000.0 : 500000.0 - 70.0;
+        const double north = y_step < 0.0 ? 4000000.0 : 4000000.0 + 50.0;
+        std::array<double, 6> gt{};
+        ASSERT_EQ(opened(path("picture.png"))->GetGeoTransform(gt.data()), CE_None);
+        EXPECT_THAT(gt, ElementsAre(west, 10.0, 0.0, north, 0.0, -10.0));
+    }
+}
+
+template <typename Pixel>
+void write_pixels(RasterWriter& writer, Pixel pixel)
+{
+    const Grid<Pixel> pixels(4, 6, pixel);
+    writer.write(0, 0, pixels.view());
+    writer.finish();
+}
+
+TEST_F(WriteRasters, HoldGreyAndColoursOfEveryDepthWithAndWithoutOpacity)
+{
+    const HeightFile like(made({}));
+    const auto written = [&](Samples samples, auto pixel, const std::string& name) {
+        RasterWriter writer(path(name), like, {.samples = samples}, {.overwrite = true});
+        write_pixels(writer, pixel);
+        Dataset dataset = opened(path(name));
+        for (int band = 1; band <= dataset->GetRasterCount(); ++band) {
+            const bool opacity = band == dataset->GetRasterCount() && band % 2 == 0;
+            EXPECT_EQ(dataset->GetRasterBand(band)->GetColorInterpretation() == GCI_AlphaBand, opacity)
+                << name;
+            EXPECT_EQ(values_of(path(name), band).at(23), static_cast<float>(10 * band))
+                << name << ' ' << band;
+        }
+        return std::pair(dataset->GetRasterCount(), dataset->GetRasterBand(1)->GetRasterDataType());
+    };
+    using Byte = std::uint8_t;
+    using Word = std::uint16_t;
+    for (const std::string name : {"samples.tif", "samples.png"}) {
+        EXPECT_EQ(written(Samples::byte_alpha, std::array<Byte, 2>{10, 20}, name), std::pair(2, GDT_Byte));
+        EXPECT_EQ(written(Samples::word, Word{10}, name), std::pair(1, GDT_UInt16));
+        EXPECT_EQ(written(Samples::word_alpha, std::array<Word, 2>{10, 20}, name), std::pair(2, GDT_UInt16));
+        EXPECT_EQ(written(Samples::rgb_words, std::array<Word, 3>{10, 20, 30}, name),
+                  std::pair(3, GDT_UInt16));
+        EXPECT_EQ(written(Samples::rgba_words, std::array<Word, 4>{10, 20, 30, 40}, name),
+                  std::pair(4, GDT_UInt16));
+    }
+    EXPECT_EQ(written(Samples::rgb_reals, std::array<float, 3>{10, 20, 30}, "samples.tif"),
+              std::pair(3, GDT_Float32));
+    EXPECT_THAT(refusal<InvalidInput>([&] {
+                    const RasterWriter writer(path("samples.jpg"), like, {.samples = Samples::word});
+                }),
+                HasSubstr("JPEG cannot hold samples of type UInt16"));
+}
+
+TEST_F(WriteRasters, DeclareNoDataInEveryBand)
+{
+    const HeightFile like(made({}));
+    RasterWriter writer(path("reals.tif"), like, {.samples = Samples::rgb_reals, .no_data = -9999.0});
+    write_pixels(writer, std::array<float, 3>{1, 2, 3});
+    for (int band = 1; band <= 3; ++band)
+        EXPECT_EQ(opened(path("reals.tif"))->GetRasterBand(band)->GetNoDataValue(), -9999.0);
+}
+
 } // namespace
 } // namespace duskline

@@ -152,5 +152,47 @@ TEST_F(ReadColours, ThatAreNotThereAreMissed)
     EXPECT_THROW(read_colours(path("words.txt"), like), InputError);
 }
 
+TEST_F(ReadColours, ComeOnFinerCellsOverTheSameGround)
+{
+    // Blocks of 2 x 2 cells of the finer grid lie in one of the heights; the colours have the finer cells.
+    MadeRaster colours = picture({"red", "green", "blue"});
+    colours.rows = 8;
+    colours.columns = 12;
+    colours.geotransform = std::array{500000.0, 5.0, 0.0, 4000000.0, 0.0, -5.0};
+    const HeightFile like(made({}));
+    const Grid<Rgba> placed = read_colours(made(colours, "colours.tif"), like, 8, 12);
+    colours.geotransform = {};
+    colours.crs = "";
+    const Grid<Rgba> unplaced = read_colours(made(colours, "unplaced.tif"), like, 8, 12);
+    ASSERT_EQ(placed.rows(), 8U);
+    ASSERT_EQ(placed.columns(), 12U);
+    for (std::size_t y = 0; y < 8; ++y)
+        for (std::size_t x = 0; x < 12; ++x) {
+            const auto red = static_cast<std::uint8_t>(60 + 10 * y + x);
+            ASSERT_EQ(placed(y, x)[0], red);
+            ASSERT_EQ(unplaced(y, x)[0], red);
+        }
+}
+
+TEST_F(ReadColours, OfTheHeightsSizeAreResampledToFinerCells)
+{
+    for (const bool placed : {true, false}) {
+        MadeRaster colours = picture({"red", "green", "blue"});
+        colours.value = [](std::size_t, std::size_t, std::size_t column) {
+            return 20.0 * static_cast<double>(column);
+        };
+        if (!placed) {
+            colours.geotransform = {};
+            colours.crs = "";
+        }
+        const HeightFile like(made({}));
+        const Grid<Rgba> grid = read_colours(made(colours, "colours.tif"), like, 8, 12);
+        for (std::size_t x = 2; x < 10; ++x)
+            EXPECT_NEAR(grid(4, x)[0], 20.0 * ((static_cast<double>(x) + 0.5) / 2.0 - 0.5), 1.0)
+                << placed << x;
+        EXPECT_EQ(grid(4, 6)[3], 255);
+    }
+}
+
 } // namespace
 } // namespace duskline

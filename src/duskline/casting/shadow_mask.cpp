@@ -65,4 +65,16 @@ ShadowMask mask_of(const HeightField& field, const ShadowField& shadow_heights_m
     });
 }
 
+bool has_other_neighbour(const ShadowMask& mask, std::size_t row, std::size_t column)
+{
+    const Lit own = mask(row, column);
+    const std::size_t last_row = std::min(row + 1, mask.rows() - 1);
+    const std::size_t last_column = std::min(column + 1, mask.columns() - 1);
+    for (std::size_t y = row - std::min<std::size_t>(row, 1); y <= last_row; ++y)
+        for (std::size_t x = column - std::min<std::size_t>(column, 1); x <= last_column; ++x)
+            if (mask(y, x) != own && mask(y, x) != Lit::unknown)
+                return true;
+    return false;
+}
+
 } // namespace duskline

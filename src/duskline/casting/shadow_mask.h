@@ -4,6 +4,7 @@
 #include <duskline/light/directional_light.h>
 #include <duskline/terrain/height_field.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -37,5 +38,9 @@ float shadow_height_as_float(double height_m);
 
 /// The mask that shadow heights mean for the ground they were cast on: lit where ground >= shadow height.
 ShadowMask mask_of(const HeightField& field, const ShadowField& shadow_heights_m);
+
+/// Whether one of the eight neighbours has another answer than the cell: an edge of shadow may pass through it.
+/// No data is no answer.
+bool has_other_neighbour(const ShadowMask& mask, std::size_t row, std::size_t column);
 
 } // namespace duskline

@@ -2,6 +2,7 @@
 #include <duskline/execution/for_rows.h>
 #include <duskline/products/lit_fraction.h>
 #include <duskline/terrain/ground_height.h>
+#include <duskline/terrain/refined.h>
 
 #include <algorithm>
 #include <array>
@@ -116,29 +117,18 @@ float most_clearance_m(const HeightField& field, const DirectionalLight& light)
     return static_cast<float>(diagonal_m * tangent(light.altitude));
 }
 
-bool has_other_neighbour(const ShadowMask& mask, std::size_t row, std::size_t column)
-{
-    const Lit own = mask(row, column);
-    const std::size_t last_row = std::min(row + 1, mask.rows() - 1);
-    const std::size_t last_column = std::min(column + 1, mask.columns() - 1);
-    for (std::size_t y = row - std::min<std::size_t>(row, 1); y <= last_row; ++y)
-        for (std::size_t x = column - std::min<std::size_t>(column, 1); x <= last_column; ++x)
-            if (mask(y, x) != own && mask(y, x) != Lit::unknown)
-                return true;
-    return false;
-}
-
-// The lit share of 4 x 4 points that are on the ground.
+// The lit share of 4 x 4 points that are on the ground; `row` and `column` are those of the middle of a cell that
+// measures `size_down` x `size_across` cells of the terrain.
 float sampled_part(const HeightField& field, const TerrainRays& rays, const DirectionalLight& light,
-                   std::size_t row, std::size_t column)
+                   double row, double column, double size_down, double size_across)
 {
     constexpr std::array<double, 4> offsets = {-0.375, -0.125, 0.125, 0.375};
     int lit = 0;
     int points = 0;
     for (const double down : offsets)
         for (const double across : offsets) {
-            const double y = static_cast<double>(row) + down;
-            const double x = static_cast<double>(column) + across;
+            const double y = row + down * size_down;
+            const double x = column + across * size_across;
             const std::optional<double> ground_m = ground_height_m(field, y, x);
             if (!ground_m)
                 continue;
@@ -161,20 +151,33 @@ void require_size(const HeightField& field, const char* what, std::size_t rows, 
 LitFraction super_sampled_lit_fraction(const HeightField& field, const ShadowMask& mask,
                                        const DirectionalLight& light, const Execution& execution)
 {
+    require_size(field, "a mask", mask.rows(), mask.columns());
+    return finer_super_sampled_lit_fraction(field, mask, light, execution);
+}
+
+LitFraction finer_super_sampled_lit_fraction(const HeightField& field, const ShadowMask& finer_mask,
+                                             const DirectionalLight& light, const Execution& execution)
+{
     require_valid(field);
     require_valid(light);
-    require_size(field, "a mask", mask.rows(), mask.columns());
-    LitFraction result = lit_fraction(mask, {.threads = execution.threads});
-    if (uniform_answer(light))
+    if (finer_mask.rows() < field.rows() || finer_mask.columns() < field.columns())
+        require_size(field, "a mask of finer cells, or more", finer_mask.rows(), finer_mask.columns());
+    LitFraction result = lit_fraction(finer_mask, {.threads = execution.threads});
+    if (uniform_answer(light) || field.heights_m.empty())
         return result;
     const TerrainRays rays(field, {.threads = execution.threads});
-    for_rows(field.rows(), 4, execution, [&](std::size_t first, std::size_t last) {
-        for (std::size_t y = first; y < last; ++y)
-            for (std::size_t x = 0; x < field.columns(); ++x)
-                if (mask(y, x) != Lit::unknown && has_other_neighbour(mask, y, x)) {
-                    const float part = sampled_part(field, rays, light, y, x);
+    const std::vector<FinerPlace> columns = finer_places(result.columns(), field.columns());
+    const double down = static_cast<double>(field.rows()) / static_cast<double>(result.rows());
+    const double across = static_cast<double>(field.columns()) / static_cast<double>(result.columns());
+    for_rows(result.rows(), 4, execution, [&](std::size_t first, std::size_t last) {
+        for (std::size_t y = first; y < last; ++y) {
+            const double row = finer_place(y, result.rows(), field.rows()).place;
+            for (std::size_t x = 0; x < result.columns(); ++x)
+                if (finer_mask(y, x) != Lit::unknown && has_other_neighbour(finer_mask, y, x)) {
+                    const float part = sampled_part(field, rays, light, row, columns[x].place, down, across);
                     result(y, x) = std::isnan(part) ? result(y, x) : part; // a sample between holes
                 }
+        }
     });
     return result;
 }

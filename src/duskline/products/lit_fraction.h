@@ -35,6 +35,11 @@ LitFraction lit_fraction(const HeightField& field, const ShadowField& shadow_hei
 LitFraction super_sampled_lit_fraction(const HeightField& field, const ShadowMask& mask,
                                        const DirectionalLight& light, const Execution& execution = {});
 
+/// The same for finer cells over the terrain, from their mask (casting/finer_mask.h). The result has the mask's size.
+/// Throws InvalidInput for fewer cells than the terrain has, Cancelled.
+LitFraction finer_super_sampled_lit_fraction(const HeightField& field, const ShadowMask& finer_mask,
+                                             const DirectionalLight& light, const Execution& execution = {});
+
 /// 0 or 1 for every cell of a mask, NaN for `unknown`.
 LitFraction lit_fraction(const ShadowMask& mask, const Execution& execution = {});
 

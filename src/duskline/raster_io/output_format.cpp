@@ -67,13 +67,14 @@ std::vector<Default> geotiff_defaults(const RasterContent& content, const CPLStr
     if (given.FetchNameValue("COMPRESS") == nullptr) {
         defaults.push_back({"COMPRESS", "DEFLATE"});
         if (content.samples != Samples::byte)
-            defaults.push_back({"PREDICTOR", content.samples == Samples::real ? "3" : "2"});
+            defaults.push_back({"PREDICTOR", sample_type(content) == GDT_Float32 ? "3" : "2"});
     }
-    if (content.samples == Samples::rgb || content.samples == Samples::rgba) {
+    const int bands = band_count(content);
+    if (bands >= 3)
         defaults.push_back({"PHOTOMETRIC", "RGB"});
+    if (bands > 1)
         defaults.push_back({"INTERLEAVE", "PIXEL"});
-    }
-    if (content.samples == Samples::rgba)
+    if (bands == 2 || bands == 4)
         defaults.push_back({"ALPHA", "YES"});
     defaults.push_back({"BIGTIFF", "IF_SAFER"});
     defaults.push_back({"NUM_THREADS", threads});
@@ -130,28 +131,55 @@ bool is_picture_format(const std::string& format)
 int band_count(const RasterContent& content)
 {
     switch (content.samples) {
+    case Samples::byte_alpha:
+    case Samples::word_alpha:
+        return 2;
     case Samples::rgb:
+    case Samples::rgb_words:
+    case Samples::rgb_reals:
         return 3;
     case Samples::rgba:
+    case Samples::rgba_words:
         return 4;
-    default:
-        return 1;
+    case Samples::byte:
+    case Samples::word:
+    case Samples::real:
+        break;
     }
+    return 1;
 }
 
 GDALDataType sample_type(const RasterContent& content)
 {
-    return content.samples == Samples::real ? GDT_Float32 : GDT_Byte;
+    switch (content.samples) {
+    case Samples::real:
+    case Samples::rgb_reals:
+        return GDT_Float32;
+    case Samples::word:
+    case Samples::word_alpha:
+    case Samples::rgb_words:
+    case Samples::rgba_words:
+        return GDT_UInt16;
+    case Samples::byte:
+    case Samples::byte_alpha:
+    case Samples::rgb:
+    case Samples::rgba:
+        break;
+    }
+    return GDT_Byte;
 }
 
 GDALDriver& output_driver(const std::string& format, const RasterContent& content)
 {
     GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName(format.c_str());
     const char* type = GDALGetDataTypeName(sample_type(content));
-    if (driver.GetMetadataItem(GDAL_DMD_CREATIONDATATYPES) != nullptr
-        && !has_word(driver, GDAL_DMD_CREATIONDATATYPES, type))
+    const bool twelve_bits = format == "JPEG" && sample_type(content) == GDT_UInt16; // of the 16
+    if (twelve_bits
+        || (driver.GetMetadataItem(GDAL_DMD_CREATIONDATATYPES) != nullptr
+            && !has_word(driver, GDAL_DMD_CREATIONDATATYPES, type)))
         throw InvalidInput("the format " + format + " cannot hold "
-                           + (content.samples == Samples::real ? "heights or shares (Float32)" : "bytes")
+                           + (content.samples == Samples::real ? "heights or shares (Float32)"
+                                                               : std::string("samples of type ") + type)
                            + "; GTiff can");
     return driver;
 }

@@ -46,6 +46,26 @@ void resample(Placement& placement, std::size_t rows, std::size_t columns)
     placement.columns = columns;
 }
 
+// North on top, east on the right.
+void turn_to_viewer(Placement& placement)
+{
+    if (placement.geotransform) {
+        auto& gt = *placement.geotransform;
+        const auto turn = [&gt](std::size_t per_x, std::size_t per_y, std::size_t count) {
+            gt[0] += gt[per_x] * static_cast<double>(count);
+            gt[3] += gt[per_y] * static_cast<double>(count);
+            gt[per_x] = -gt[per_x];
+            gt[per_y] = -gt[per_y];
+        };
+        if (placement.ground.rows_flipped)
+            turn(2, 5, placement.rows);
+        if (placement.ground.columns_flipped)
+            turn(1, 4, placement.columns);
+    }
+    placement.ground.rows_flipped = false;
+    placement.ground.columns_flipped = false;
+}
+
 Placement placement_of(GDALDataset& dataset, const HeightFileFacts& facts, const RasterContent& content)
 {
     Placement placement{facts.rows, facts.columns, facts.ground, facts.geotransform, nullptr, ""};
@@ -72,20 +92,25 @@ void set_placement(GDALDataset& dataset, const Placement& placement)
 
 void set_colours(GDALDataset& dataset)
 {
-    constexpr std::array meanings = {GCI_RedBand, GCI_GreenBand, GCI_BlueBand, GCI_AlphaBand};
-    for (int i = 1; i <= dataset.GetRasterCount(); ++i)
-        dataset.GetRasterBand(i)->SetColorInterpretation(meanings[static_cast<std::size_t>(i) - 1]);
+    constexpr std::array grey = {GCI_GrayIndex, GCI_AlphaBand};
+    constexpr std::array colours = {GCI_RedBand, GCI_GreenBand, GCI_BlueBand, GCI_AlphaBand};
+    const int count = dataset.GetRasterCount();
+    for (int i = 0; i < count; ++i) {
+        const auto band = static_cast<std::size_t>(i);
+        dataset.GetRasterBand(i + 1)->SetColorInterpretation(count == 2 ? grey.at(band) : colours.at(band));
+    }
 }
 
 void set_content(GDALDataset& dataset, const RasterContent& content)
 {
     for (const auto& [key, value] : content.tags)
         dataset.SetMetadataItem(key.c_str(), value.c_str());
+    if (content.no_data)
+        for (int i = 1; i <= dataset.GetRasterCount(); ++i)
+            dataset.GetRasterBand(i)->SetNoDataValue(*content.no_data);
     if (dataset.GetRasterCount() > 1)
         return set_colours(dataset);
     GDALRasterBand& band = *dataset.GetRasterBand(1);
-    if (content.no_data)
-        band.SetNoDataValue(*content.no_data);
     if (!content.description.empty())
         band.SetDescription(content.description.c_str());
     if (!content.unit.empty())
@@ -184,6 +209,8 @@ RasterWriter::Open::Open(const std::string& path, const HeightFile& like, const 
       staged(checked_target(path, like), options.overwrite)
 {
     const std::string format = output_format(path, options);
+    if (is_picture_format(format))
+        turn_to_viewer(placement);
     driver = &output_driver(format, content);
     creation_options = completed_options(*driver, content, options);
     copies = format != "GTiff";
@@ -376,6 +403,42 @@ void RasterWriter::write(std::size_t first_row, std::size_t first_column,
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column,
                          GridView<const std::array<std::uint8_t, 4>> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column,
+                         GridView<const std::array<std::uint8_t, 2>> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column,
+                         GridView<const std::uint16_t> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column,
+                         GridView<const std::array<std::uint16_t, 2>> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column,
+                         GridView<const std::array<std::uint16_t, 3>> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column,
+                         GridView<const std::array<std::uint16_t, 4>> values)
+{
+    open_->write(first_row, first_column, values);
+}
+
+void RasterWriter::write(std::size_t first_row, std::size_t first_column,
+                         GridView<const std::array<float, 3>> values)
 {
     open_->write(first_row, first_column, values);
 }

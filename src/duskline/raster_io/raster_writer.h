@@ -27,17 +27,23 @@ struct WriteOptions {
 
 /// What the bands of a raster hold.
 enum class Samples {
-    byte, ///< one band of 8 bits
-    real, ///< one band of 32-bit floats
-    rgb,  ///< red, green, blue of 8 bits
-    rgba, ///< and opacity
+    byte,       ///< one band of 8 bits
+    real,       ///< one band of 32-bit floats
+    rgb,        ///< red, green, blue of 8 bits
+    rgba,       ///< and opacity
+    byte_alpha, ///< grey and opacity of 8 bits
+    word,       ///< one band of 16 bits, without a sign
+    word_alpha, ///< grey and opacity of 16 bits
+    rgb_words,  ///< red, green, blue of 16 bits
+    rgba_words, ///< and opacity
+    rgb_reals,  ///< red, green, blue in 32-bit floats
 };
 
 struct RasterContent {
     Samples samples = Samples::byte;
     std::size_t rows = 0;    ///< over the same ground as the file of heights; 0: as many as that has
     std::size_t columns = 0; ///< likewise
-    std::optional<double> no_data = {}; ///< declared in the file
+    std::optional<double> no_data = {}; ///< declared in the file, for all bands
     bool classes = false;               ///< values are codes: overviews take the most frequent, not the mean
     std::string description = {};       ///< of the band
     std::string unit = {};              ///< of the band: "m"
@@ -53,6 +59,10 @@ bool is_picture_format(const std::string& format);
 
 /// A raster on the grid of a height file: the same rows and columns, coordinate system and geotransform; or
 /// with rows and columns of its own over the same ground.
+///
+/// A raster whose file runs from south to north, or from east to west, gets its result in the same order; but
+/// pictures (`is_picture_format`), which people look at, have north on top and east on the right, and a geotransform
+/// that says so.
 ///
 /// Everything goes to a temporary folder `.duskline-*` beside the target. `finish` moves it in place in one
 /// step once it is whole and on disk. Without `finish` (an error, a stop) nothing is left, and a file that
@@ -83,6 +93,16 @@ public:
                GridView<const std::array<std::uint8_t, 3>> values);
     void write(std::size_t first_row, std::size_t first_column,
                GridView<const std::array<std::uint8_t, 4>> values);
+    void write(std::size_t first_row, std::size_t first_column,
+               GridView<const std::array<std::uint8_t, 2>> values);
+    void write(std::size_t first_row, std::size_t first_column, GridView<const std::uint16_t> values);
+    void write(std::size_t first_row, std::size_t first_column,
+               GridView<const std::array<std::uint16_t, 2>> values);
+    void write(std::size_t first_row, std::size_t first_column,
+               GridView<const std::array<std::uint16_t, 3>> values);
+    void write(std::size_t first_row, std::size_t first_column,
+               GridView<const std::array<std::uint16_t, 4>> values);
+    void write(std::size_t first_row, std::size_t first_column, GridView<const std::array<float, 3>> values);
 
     std::size_t block_rows() const;
     std::size_t block_columns() const;

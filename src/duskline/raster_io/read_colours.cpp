@@ -12,6 +12,7 @@
 #include <ogr_spatialref.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace duskline {
@@ -103,10 +104,29 @@ Dataset as_colours(GDALDataset& dataset, const std::string& path)
     return colours;
 }
 
+bool has_size(GDALDataset& dataset, std::size_t rows, std::size_t columns)
+{
+    return static_cast<std::size_t>(dataset.GetRasterYSize()) == rows
+           && static_cast<std::size_t>(dataset.GetRasterXSize()) == columns;
+}
+
 bool has_place(GDALDataset& dataset)
 {
     std::array<double, 6> gt{};
     return dataset.GetGeoTransform(gt.data()) == CE_None || dataset.GetGCPCount() > 0;
+}
+
+using Geotransform = std::array<double, 6>;
+
+// Of that many cells over the ground of the heights.
+std::optional<Geotransform> geotransform_of(const HeightFileFacts& facts, const Grid<Rgba>& grid)
+{
+    if (!facts.geotransform)
+        return std::nullopt;
+    Geotransform gt = *facts.geotransform;
+    const double wider = static_cast<double>(facts.columns) / static_cast<double>(grid.columns());
+    const double higher = static_cast<double>(facts.rows) / static_cast<double>(grid.rows());
+    return Geotransform{gt[0], gt[1] * wider, gt[2] * higher, gt[3], gt[4] * wider, gt[5] * higher};
 }
 
 // Bands of `grid`'s own memory that lie on the ground as the heights' file does.
@@ -127,10 +147,8 @@ Dataset memory_dataset(Grid<Rgba>& grid, const HeightFileFacts& facts)
     constexpr std::array meanings = {GCI_RedBand, GCI_GreenBand, GCI_BlueBand, GCI_AlphaBand};
     for (int i = 1; i <= 4; ++i)
         dataset->GetRasterBand(i)->SetColorInterpretation(meanings[static_cast<std::size_t>(i) - 1]);
-    if (facts.geotransform) {
-        std::array<double, 6> gt = *facts.geotransform;
-        dataset->SetGeoTransform(gt.data());
-    }
+    if (auto gt = geotransform_of(facts, grid))
+        dataset->SetGeoTransform(gt->data());
     OGRSpatialReference crs;
     if (!facts.crs_wkt.empty() && crs.importFromWkt(facts.crs_wkt.c_str()) == OGRERR_NONE) {
         crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -139,7 +157,7 @@ Dataset memory_dataset(Grid<Rgba>& grid, const HeightFileFacts& facts)
     return dataset;
 }
 
-// The raster lies on the very same cells, or says nothing about its place.
+// The raster lies on the very same cells, or says nothing about its place; then it may be coarser.
 void copy_cells(GDALDataset& colours, Grid<Rgba>& grid, const std::string& path)
 {
     const GdalErrors errors;
@@ -149,8 +167,12 @@ void copy_cells(GDALDataset& colours, Grid<Rgba>& grid, const std::string& path)
     if (bands == 3)
         for (Rgba& pixel : grid.values())
             pixel[3] = 255;
-    if (colours.RasterIO(GF_Read, 0, 0, columns, rows, grid.data(), columns, rows, GDT_Byte, bands, nullptr,
-                         4, 4 * static_cast<GSpacing>(columns), 1, nullptr)
+    GDALRasterIOExtraArg resampling;
+    INIT_RASTERIO_EXTRA_ARG(resampling);
+    resampling.eResampleAlg = GRIORA_Bilinear;
+    if (colours.RasterIO(GF_Read, 0, 0, colours.GetRasterXSize(), colours.GetRasterYSize(), grid.data(),
+                         columns, rows, GDT_Byte, bands, nullptr, 4, 4 * static_cast<GSpacing>(columns), 1,
+                         &resampling)
         != CE_None)
         refuse(path, "cannot be read: " + errors.reason("GDAL does not say why"));
 }
@@ -170,10 +192,11 @@ void warp(GDALDataset& colours, Grid<Rgba>& grid, const HeightFile& like, const 
     target->FlushCache(false);
 }
 
-bool lies_on_same_cells(GDALDataset& colours, const HeightFileFacts& facts)
+bool lies_on_same_cells(GDALDataset& colours, const HeightFileFacts& facts, const Grid<Rgba>& grid)
 {
-    std::array<double, 6> gt{};
-    if (colours.GetGeoTransform(gt.data()) != CE_None || !facts.geotransform || gt != *facts.geotransform)
+    Geotransform gt{};
+    if (!has_size(colours, grid.rows(), grid.columns()) || colours.GetGeoTransform(gt.data()) != CE_None
+        || gt != geotransform_of(facts, grid))
         return false;
     OGRSpatialReference crs;
     const OGRSpatialReference* own = colours.GetSpatialRef();
@@ -196,11 +219,17 @@ void put_in_order(Grid<Rgba>& grid, const GroundFrame& ground)
 
 Grid<Rgba> read_colours(const std::string& path, const HeightFile& like, const Execution& execution)
 {
+    return read_colours(path, like, like.rows(), like.columns(), execution);
+}
+
+Grid<Rgba> read_colours(const std::string& path, const HeightFile& like, std::size_t rows,
+                        std::size_t columns, const Execution& execution)
+{
     const Dataset dataset = open_raster(path, {});
     require_bytes(*dataset, path);
     const Dataset colours = as_colours(*dataset, path);
-    const bool same_size = static_cast<std::size_t>(colours->GetRasterYSize()) == like.rows()
-                           && static_cast<std::size_t>(colours->GetRasterXSize()) == like.columns();
+    const bool same_size =
+        has_size(*colours, like.rows(), like.columns()) || has_size(*colours, rows, columns);
     const bool placed = has_place(*dataset) && like.facts().geotransform;
     if (!placed && !same_size)
         refuse(path, "has no georeference, and " + std::to_string(colours->GetRasterYSize()) + " rows x "
@@ -208,9 +237,9 @@ Grid<Rgba> read_colours(const std::string& path, const HeightFile& like, const E
                          + " columns; without one it must have the " + std::to_string(like.rows()) + " x "
                          + std::to_string(like.columns()) + " of '" + like.facts().path + "'");
 
-    require_memory(like.rows(), like.columns(), sizeof(Rgba), "the colours of '" + path + "'");
-    Grid<Rgba> grid(like.rows(), like.columns(), Rgba{0, 0, 0, 0});
-    if (same_size && (!placed || lies_on_same_cells(*colours, like.facts())))
+    require_memory(rows, columns, sizeof(Rgba), "the colours of '" + path + "'");
+    Grid<Rgba> grid(rows, columns, Rgba{0, 0, 0, 0});
+    if (!placed || lies_on_same_cells(*colours, like.facts(), grid))
         copy_cells(*colours, grid, path);
     else
         warp(*colours, grid, like, path, execution);

@@ -6,6 +6,7 @@
 #include <duskline/raster_io/read_height_field.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -22,6 +23,12 @@ namespace duskline {
 /// Throws InputError, saying why, when it cannot be read so; UnsupportedOnThisMachine when memory does not
 /// suffice; Cancelled.
 Grid<std::array<std::uint8_t, 4>> read_colours(const std::string& path, const HeightFile& like,
+                                               const Execution& execution = {});
+
+/// The same on a grid of `rows` x `columns` cells over the ground of the heights. A raster without a place of its own
+/// may also have that size; one of the heights' size is then resampled.
+Grid<std::array<std::uint8_t, 4>> read_colours(const std::string& path, const HeightFile& like,
+                                               std::size_t rows, std::size_t columns,
                                                const Execution& execution = {});
 
 } // namespace duskline

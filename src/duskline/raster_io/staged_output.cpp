@@ -146,9 +146,9 @@ void StagedOutput::publish()
         for (const auto& entry : fs::directory_iterator(result_folder_))
             if (entry.path().filename() != main)
                 companions.push_back(entry.path().filename().string());
+        remove_outdated_companions(); // while the new ones are still where they are looked for
         for (const std::string& name : companions)
             move_in_place(name);
-        remove_outdated_companions();
         move_in_place(main);
         sync_to_disk(folder_, shown_);
     }
