@@ -79,6 +79,22 @@ for palette in natural atlas alpine desert; do
         --altitude 30 --size 360
 done
 
+# Light maps: one of evening light under a blue sky, and the models side by side.
+tujunga="$terrains/bigtujunga/bigtujunga.tif"
+[ ! -e "$tujunga" ] || "$duskline" light "$tujunga" $gallery/san_gabriel_light.jpg "${jpeg[@]}" --soft \
+    --light azimuth=225,altitude=12,colour=#ffd9a0,strength=1.1 --ambient 0.3 --ambient-colour '#7aa0ff'
+rm -f $gallery/san_gabriel_light.jpg.aux.xml
+left=0
+for model in lambert half-lambert hillshade; do
+    "$duskline" light $hawaii "$scratch/$model.tif" --model $model --azimuth 315 --altitude 25 --quiet
+    gdal_translate -q -srcwin 500 120 300 300 -a_ullr $left 300 $((left + 300)) 0 "$scratch/$model.tif" \
+        "$scratch/part_$left.tif"
+    left=$((left + 308))
+done
+gdalbuildvrt -q -vrtnodata 255 "$scratch/models.vrt" "$scratch"/part_*.tif
+gdal_translate -q -of PNG -a_nodata none "$scratch/models.vrt" docs/algorithms/light_models.png --config GDAL_PAM_ENABLED NO
+echo docs/algorithms/light_models.png
+
 # A section through Mauna Kea along its light, and where the inexact casters differ from the truth.
 algorithms=docs/algorithms
 "$duskline" shadow $hawaii "$scratch/section.tif" --heights --caster sweep --azimuth 270 --altitude 4 --flat --quiet

@@ -14,31 +14,6 @@ namespace {
 
 constexpr auto kGroup = "Light";
 
-void require_one_light(const LightOptions& options)
-{
-    const bool by_angles = options.azimuth_deg || options.altitude_deg;
-    if (by_angles && options.sun.time)
-        throw UsageError("give --azimuth and --altitude, or --time, not both");
-    if (options.sun.at && !options.sun.time)
-        throw UsageError("--at says where the sun of --time is seen from: give --time too");
-    if (!by_angles && !options.sun.time)
-        throw UsageError("give the light: --azimuth DEG and --altitude DEG, or --time such as "
-                         "2026-06-21T18:30-10:00");
-    if (by_angles && !options.azimuth_deg)
-        throw UsageError("--altitude needs --azimuth");
-    if (by_angles && !options.altitude_deg)
-        throw UsageError("--azimuth needs --altitude");
-}
-
-DateTime read_time(const std::string& typed)
-{
-    try {
-        return parse_date_time(typed);
-    } catch (const InvalidInput& error) {
-        throw UsageError(fmt::format("--time {}", error.what()));
-    }
-}
-
 void add_air(CLI::App& app, Air& air)
 {
     add_number(app,
@@ -105,7 +80,7 @@ double coordinate(std::string_view name, std::string_view typed, double least, d
 void add_sunlight_options(CLI::App& app, SunlightOptions& options)
 {
     app.add_option_function<std::string>(
-           "--time", [&options](const std::string& typed) { options.time = read_time(typed); },
+           "--time", [&options](const std::string& typed) { options.time = parse_time(typed); },
            "the sun at this moment, ISO 8601 with its offset from UTC or Z: 2026-06-21T18:30-10:00")
         ->type_name("TIME")
         ->group(kGroup);
@@ -140,6 +115,46 @@ void add_light_options(CLI::App& app, LightOptions& options)
                 .range = {.least = 0.0, .most = 180.0}},
                options.sun_size_deg)
         ->group(kGroup);
+}
+
+void require_one_light(const LightOptions& options)
+{
+    const bool by_angles = options.azimuth_deg || options.altitude_deg;
+    if (by_angles && options.sun.time)
+        throw UsageError("give --azimuth and --altitude, or --time, not both");
+    if (options.sun.at && !options.sun.time)
+        throw UsageError("--at says where the sun of --time is seen from: give --time too");
+    if (!by_angles && !options.sun.time)
+        throw UsageError("give the light: --azimuth DEG and --altitude DEG, or --time such as "
+                         "2026-06-21T18:30-10:00");
+    if (by_angles && !options.azimuth_deg)
+        throw UsageError("--altitude needs --azimuth");
+    if (by_angles && !options.altitude_deg)
+        throw UsageError("--azimuth needs --altitude");
+}
+
+bool asks_for_light(const LightOptions& options)
+{
+    return options.azimuth_deg || options.altitude_deg || options.sun.time || options.sun.at;
+}
+
+LightOptions with_usual_light(LightOptions options, Report& report)
+{
+    if (asks_for_light(options))
+        return options;
+    options.azimuth_deg = 315.0;
+    options.altitude_deg = 45.0;
+    report.note("no light was given: it comes from azimuth 315, 45 degrees high");
+    return options;
+}
+
+DateTime parse_time(const std::string& text)
+{
+    try {
+        return parse_date_time(text);
+    } catch (const InvalidInput& error) {
+        throw UsageError(fmt::format("--time {}", error.what()));
+    }
 }
 
 ChosenLight choose_light(const LightOptions& options, const LightSite& site, Report& report)

@@ -50,6 +50,18 @@ struct ChosenLight {
 void add_light_options(CLI::App& app, LightOptions& options);
 void add_sunlight_options(CLI::App& app, SunlightOptions& options);
 
+/// Whether any of them is given, even if only half of what makes a light.
+bool asks_for_light(const LightOptions& options);
+
+/// Throws UsageError when they ask for no light, for half of one, or for two.
+void require_one_light(const LightOptions& options);
+
+/// The options, or when they ask for no light the usual one of maps: azimuth 315, 45 degrees high, with a note.
+LightOptions with_usual_light(LightOptions options, Report& report);
+
+/// A moment as --time takes it. Throws UsageError.
+DateTime parse_time(const std::string& text);
+
 /// The light the options ask for, with notes on what was assumed. Throws UsageError when they ask for none, for
 /// half a light, for two, or for a time where there is no place or no sun to speak of.
 ChosenLight choose_light(const LightOptions& options, const LightSite& site, Report& report);

@@ -141,13 +141,18 @@ void add_lamp_options(CLI::App& app, LampOptions& options)
         ->group("Output");
 }
 
+void require_point(const std::string& text)
+{
+    parse_point(text);
+}
+
 void require_lamps_or_sun(const LampOptions& lamps, const LightOptions& sun)
 {
     if (lamps.count && !lamps.given())
         throw UsageError("--count counts lamps: give --point too");
     if (!lamps.given())
         return;
-    if (sun.azimuth_deg || sun.altitude_deg || sun.sun.time || sun.sun.at)
+    if (asks_for_light(sun))
         throw UsageError("give --point, or --azimuth and --altitude, or --time, not both");
     if (sun.sun_size_deg)
         throw UsageError(
@@ -161,7 +166,7 @@ std::vector<ChosenLamp> choose_lamps(const LampOptions& options, const InputOpti
                                      const EarthCurvature& curvature, Report& report)
 {
     for (const std::string& text : options.points)
-        parse_point(text); // all mistakes before any work
+        require_point(text); // all mistakes before any work
     if (!file.facts().geotransform)
         report.note("the raster has no map coordinates: --point counts pixels from its upper left corner");
     HeightFile again(input.path, read_options(input, run));

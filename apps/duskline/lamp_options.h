@@ -36,6 +36,9 @@ struct ChosenLamp {
 void add_point_option(CLI::App& app, LampOptions& options, const std::string& more = {});
 void add_lamp_options(CLI::App& app, LampOptions& options);
 
+/// Throws UsageError unless the text is X,Y,Z.
+void require_point(const std::string& text);
+
 /// Throws UsageError when lamps are mixed with a sun, or when --count has none to count.
 void require_lamps_or_sun(const LampOptions& lamps, const LightOptions& sun);
 

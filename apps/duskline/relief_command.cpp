@@ -65,17 +65,6 @@ struct Seconds {
     double total = 0.0;
 };
 
-// The light of maps, when none is asked for.
-LightOptions with_usual_light(LightOptions light, Report& report)
-{
-    if (light.azimuth_deg || light.altitude_deg || light.sun.time || light.sun.at)
-        return light;
-    light.azimuth_deg = 315.0;
-    light.altitude_deg = 45.0;
-    report.note("no light was given: it comes from azimuth 315, 45 degrees high");
-    return light;
-}
-
 Terrain lowered(const ReliefJob& job, const Terrain& terrain)
 {
     Terrain result{terrain.heights_m.copy(), terrain.cell_size_m};

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace duskline {
 namespace {
@@ -100,6 +101,65 @@ TEST(FinerMask, NoDataStaysUnknownAndSizesMustFit)
             EXPECT_EQ(result(y, x), y / 2 == 1 && x / 2 == 2 ? Lit::unknown : Lit::yes);
     EXPECT_THROW(finer_mask(finer, mask, light, finer), InvalidInput);
     EXPECT_THROW(finer_mask(finer, result, light, terrain), InvalidInput);
+}
+
+// In how many finer cells a mask is not what rays from their ground say.
+struct Differences {
+    std::size_t cells = 0;
+    std::size_t finer = 0;     // finer_mask
+    std::size_t blown_up = 0;  // the mask, every cell repeated
+    std::size_t resampled = 0; // a caster on the ground's finer samples
+
+    static double percent(std::size_t part, std::size_t all)
+    {
+        return 100.0 * static_cast<double>(part) / static_cast<double>(all);
+    }
+    std::string in_words() const
+    {
+        return std::to_string(percent(finer, cells)) + " % of finer cells differ, blown up "
+               + std::to_string(percent(blown_up, cells)) + " %, resampled "
+               + std::to_string(percent(resampled, cells)) + " %";
+    }
+};
+
+Differences differences_on(const Terrain& terrain, const DirectionalLight& light, std::size_t factor)
+{
+    const std::size_t rows = factor * terrain.heights_m.rows();
+    const std::size_t columns = factor * terrain.heights_m.columns();
+    const Terrain samples = refined(terrain, rows, columns);
+    const ShadowMask mask = cast_by_exact(terrain, light);
+    const ShadowMask finer = finer_mask(terrain, mask, light, samples);
+    const ShadowMask resampled = cast_by_exact(samples, light);
+    const TerrainRays rays(terrain);
+    Differences differ;
+    for (std::size_t y = factor; y + factor < rows; ++y)
+        for (std::size_t x = factor; x + factor < columns; ++x) {
+            const double row = finer_place(y, rows, mask.rows()).place;
+            const double column = finer_place(x, columns, mask.columns()).place;
+            const double ground_m = ground_height_m(terrain, row, column).value();
+            const Lit truth = rays.is_shadowed({row, column, ground_m}, light) ? Lit::no : Lit::yes;
+            ++differ.cells;
+            differ.finer += finer(y, x) != truth ? 1U : 0U;
+            differ.blown_up += mask(y / factor, x / factor) != truth ? 1U : 0U;
+            differ.resampled += resampled(y, x) != truth ? 1U : 0U;
+        }
+    return differ;
+}
+
+TEST(FinerMask, OnMountainsItIsFarCloserToTheTruthThanTheMaskBlownUpOrFinerSamples)
+{
+    const Terrain terrain = make_mountains({.grid = {150, 150, {30.0, 30.0}}, .seed = 11, .roughness = 0.5});
+    for (const double altitude : {8.0, 25.0})
+        for (const std::size_t factor : {2U, 3U, 4U}) {
+            const Differences differ = differences_on(
+                terrain, {.azimuth = 203_deg, .altitude = Angle::from_degrees(altitude)}, factor);
+            SCOPED_TRACE(std::to_string(altitude) + " degrees, times " + std::to_string(factor) + ": "
+                         + differ.in_words());
+            EXPECT_LT(10 * differ.finer, differ.blown_up);
+            if (factor % 2 == 0) {
+                EXPECT_LT(4 * differ.finer, differ.resampled);
+            }
+        }
 }
 
 } // namespace

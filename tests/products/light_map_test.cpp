@@ -224,6 +224,25 @@ TEST(LightMap, SamplesAreRoundedAndNoDataIsZero)
     EXPECT_EQ(light_sample<std::uint16_t>(100.25f / 65535.0f), 100);
 }
 
+TEST(LightMap, LaidOverAPictureItIsTheirProduct)
+{
+    const Terrain plane = make_plane({.grid = {.rows = 2, .columns = 3}});
+    const NormalField normals = upward_normals(plane);
+    Grid<Rgba8> texture(2, 3, {255, 51, 0, 255});
+    LightMap grey = light_map(plane, normals, {}, {.ambient = 0.5});
+    multiply(grey, texture.view());
+    ASSERT_EQ(grey.channels.size(), 3U);
+    EXPECT_FLOAT_EQ(grey.channels[0](1, 2), 0.5f);
+    EXPECT_FLOAT_EQ(grey.channels[1](1, 2), 0.1f);
+    EXPECT_FLOAT_EQ(grey.channels[2](1, 2), 0.0f);
+    LightMap blue = light_map(plane, normals, {}, {.ambient = 0.5, .ambient_colour = {0.5f, 1.0f, 1.0f}});
+    multiply(blue, texture.view());
+    EXPECT_FLOAT_EQ(blue.channels[0](0, 0), 0.25f);
+    EXPECT_FLOAT_EQ(blue.channels[1](0, 0), 0.1f);
+    const Grid<Rgba8> small(2, 2, {0, 0, 0, 0});
+    EXPECT_THROW(multiply(blue, small.view()), InvalidInput);
+}
+
 std::string refusal(const MapLight& light, const LightMapOptions& options = {})
 {
     const Terrain plane = make_plane({.grid = {.rows = 4, .columns = 6}});

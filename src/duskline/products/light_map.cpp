@@ -273,4 +273,21 @@ LightMap light_map(const HeightField& field, const NormalField& normals, std::sp
     return map;
 }
 
+void multiply(LightMap& map, GridView<const Rgba8> texture, const Execution& execution)
+{
+    const Grid<float>& first_channel = map.channels.at(0);
+    if (texture.rows() != first_channel.rows() || texture.columns() != first_channel.columns())
+        throw InvalidInput("the texture must have the size of the light map, "
+                           + size_text(first_channel.rows(), first_channel.columns()) + ", got "
+                           + size_text(texture.rows(), texture.columns()));
+    while (map.channels.size() < 3)
+        map.channels.push_back(map.channels.front().copy());
+    for_rows(texture.rows(), kRowsPerPiece, execution, [&](std::size_t first, std::size_t last) {
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t y = first; y < last; ++y)
+                for (std::size_t x = 0; x < texture.columns(); ++x)
+                    map.channels[c](y, x) *= static_cast<float>(texture(y, x)[c]) / 255.0f;
+    });
+}
+
 } // namespace duskline

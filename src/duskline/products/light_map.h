@@ -30,13 +30,14 @@ struct NamedLightModel {
     std::string_view name;
     std::string_view description; ///< one line for --help and the docs
     LightModel model;
+    double usual_ambient; ///< light in shadows that suits it
 };
 
 inline constexpr std::array kLightModels = {
-    NamedLightModel{"lambert", "ambient + L.N", LightModel::lambert},
-    NamedLightModel{"half-lambert", "ambient + (1 + L.N) / 2", LightModel::half_lambert},
+    NamedLightModel{"lambert", "ambient + L.N", LightModel::lambert, 0.2},
+    NamedLightModel{"half-lambert", "ambient + (1 + L.N) / 2", LightModel::half_lambert, 0.1},
     NamedLightModel{"hillshade", "what gdaldem hillshade writes, 1 to 255, with cast shadows",
-                    LightModel::hillshade},
+                    LightModel::hillshade, 0.0},
 };
 
 /// The model of that name. Throws InvalidInput, listing the names there are.
@@ -58,7 +59,7 @@ struct MapLight {
 
 struct LightMapOptions {
     LightModel model = LightModel::lambert;
-    double ambient = 0.25;             ///< light that reaches every cell, at least 0
+    double ambient = 0.2;              ///< light that reaches every cell, at least 0
     Colour ambient_colour = {1, 1, 1}; ///< at least 0
 };
 
@@ -89,12 +90,18 @@ struct LightMap {
 LightMap light_map(const HeightField& field, const NormalField& normals, std::span<const MapLight> lights,
                    const LightMapOptions& options = {}, const Execution& execution = {});
 
+/// Lays the map over a picture of the ground: three channels, each the light times the picture's byte / 255, as they
+/// are. The picture's opacity is left to whoever draws the result. Throws InvalidInput for sizes that differ, Cancelled.
+void multiply(LightMap& map, GridView<const Rgba8> texture, const Execution& execution = {});
+
 /// A value of a light map as an integer sample: 0 to 255 or 65535, rounded to the nearest; 0 for NaN.
 template <typename Sample>
 constexpr Sample light_sample(float light)
 {
     constexpr float most = static_cast<float>(std::numeric_limits<Sample>::max());
-    return light >= 0.0f ? static_cast<Sample>(light * most + 0.5f) : Sample{0};
+    // Light is not below 0, and rounding this way keeps loops in SIMD registers.
+    return light >= 0.0f ? static_cast<Sample>(light * most + 0.5f)
+                         : Sample{0}; // NOLINT(bugprone-incorrect-roundings)
 }
 
 } // namespace duskline
