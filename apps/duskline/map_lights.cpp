@@ -199,10 +199,7 @@ private:
 void add_map_light_options(CLI::App& app, MapLightOptions& options)
 {
     add_light_options(app, options.sun);
-    add_point_option(
-        app, options.lamps,
-        "instead of the sun a lamp at map coordinates X,Y, Z metres high, or +Z metres above the "
-        "ground, of strength 1 at 1000 m; may be repeated");
+    add_point_option(app, options.lamps, ", of strength 1 at 1000 m; may be repeated");
     app.add_option(
            "--light", options.lights,
            "one of several lights: azimuth=DEG,altitude=DEG or time=TIME[,at=LON,LAT] of a sun, point=X,Y,Z "
