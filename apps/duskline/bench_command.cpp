@@ -36,8 +36,9 @@ struct BenchOptions {
 // Rasters of more cells have the plain ray only when asked: it takes seconds for 2048 x 2048, in a low sun a minute.
 constexpr std::size_t kMostCellsForRay = 1'000'000;
 
-// Heights and their copy, two masks, and what the casters take at most: the pyramid of fast-ray.
-constexpr double kBytesPerCell = 2.0 * sizeof(float) + 2.0 + 2.0 / 3.0 * sizeof(float);
+// Heights and their copy, two masks, and what a caster takes at most.
+constexpr double kBytesPerCell =
+    2.0 * sizeof(float) + 2.0 + std::ranges::max(kCasters, {}, &Caster::bytes_per_cell).bytes_per_cell;
 
 // The casters of "exact,sweep", each once.
 std::vector<const Caster*> casters_named(std::string_view names)

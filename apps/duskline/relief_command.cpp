@@ -143,7 +143,8 @@ Picture shade(const ReliefJob& job, const Ground& ground, const LitFraction& lit
 
 Picture draw(const ReliefJob& job, Seconds& seconds, Report& report)
 {
-    require_memory(job.file.rows(), job.file.columns(), job.options.soft ? kBytesPerCellSoft : kBytesPerCell,
+    const double bytes_per_cell = job.options.soft ? kBytesPerCellSoft : kBytesPerCell;
+    require_memory(job.file.rows(), job.file.columns(), bytes_per_cell + job.caster.bytes_per_cell,
                    "'" + job.file.facts().path + "'");
     Ground ground;
     {

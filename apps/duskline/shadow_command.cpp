@@ -221,7 +221,7 @@ Plan plan_for(const ShadowOptions& options, const HeightFile& file, const Caster
 {
     const ShadowResult result = chosen_result(options);
     if (options.lamps.given() || is_share(result)) {
-        require_memory_for_whole(file, result, options.lamps.points.size());
+        require_memory_for_whole(file, caster, result, options.lamps.points.size());
         return {};
     }
     if (can_stream(caster, result))
@@ -229,8 +229,8 @@ Plan plan_for(const ShadowOptions& options, const HeightFile& file, const Caster
     const auto free_bytes = static_cast<double>(available_memory_bytes());
     const double most_bytes =
         options.memory_mib ? std::min(*options.memory_mib * 1024.0 * 1024.0, free_bytes) : free_bytes;
-    const double needed_bytes =
-        static_cast<double>(file.rows()) * static_cast<double>(file.columns()) * bytes_per_cell(result, 0);
+    const double needed_bytes = static_cast<double>(file.rows()) * static_cast<double>(file.columns())
+                                * bytes_per_cell(caster, result, 0);
     if (needed_bytes <= most_bytes)
         return {};
     return {Way::windows, static_cast<std::size_t>(options.memory_mib ? most_bytes : most_bytes / 2.0)};
@@ -305,7 +305,7 @@ void run_shadow(const ShadowOptions& options)
         if (options.soft)
             report.field("light_diameter_deg", light.sun.light.angular_diameter.degrees());
         if (plan.way == Way::windows)
-            require_memory_for_windows(file, light.sun.light, chosen_result(options),
+            require_memory_for_windows(file, light.sun.light, caster, chosen_result(options),
                                        static_cast<double>(plan.memory_bytes));
         RasterWriter writer(options.output.path, file,
                             content_of(options, file, light, curvature, caster, codes, report), write);

@@ -146,9 +146,7 @@ void shares_whole(const ShadowJob& job, const Terrain& terrain, ShadowOutcome& o
     });
 }
 
-} // namespace
-
-double bytes_per_cell(ShadowResult result, std::size_t lamps)
+double bytes_of_result(ShadowResult result, std::size_t lamps)
 {
     const double more = lamps > 1 ? 1.0 : 0.0; // the answers for one lamp beside those for all so far
     switch (result) {
@@ -168,6 +166,13 @@ double bytes_per_cell(ShadowResult result, std::size_t lamps)
     return sizeof(float) + 1.0 + more;
 }
 
+} // namespace
+
+double bytes_per_cell(const Caster& caster, ShadowResult result, std::size_t lamps)
+{
+    return bytes_of_result(result, lamps) + caster.bytes_per_cell;
+}
+
 bool is_share(ShadowResult result)
 {
     return result == ShadowResult::soft || result == ShadowResult::antialias;
@@ -178,9 +183,11 @@ bool is_real(ShadowResult result)
     return result == ShadowResult::heights || is_share(result);
 }
 
-void require_memory_for_whole(const HeightFile& file, ShadowResult result, std::size_t lamps)
+void require_memory_for_whole(const HeightFile& file, const Caster& caster, ShadowResult result,
+                              std::size_t lamps)
 {
-    require_memory(file.rows(), file.columns(), bytes_per_cell(result, lamps), "'" + file.facts().path + "'");
+    require_memory(file.rows(), file.columns(), bytes_per_cell(caster, result, lamps),
+                   "'" + file.facts().path + "'");
 }
 
 ShadowOutcome cast_whole(const ShadowJob& job)

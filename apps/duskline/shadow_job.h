@@ -53,11 +53,12 @@ struct ShadowOutcome {
     double writing_s = 0.0;
 };
 
-/// Memory that such a result and its heights take, a cell.
-double bytes_per_cell(ShadowResult result, std::size_t lamps);
+/// Memory that such a result, its heights and its caster take, a cell.
+double bytes_per_cell(const Caster& caster, ShadowResult result, std::size_t lamps);
 
 /// Throws UnsupportedOnThisMachine when `cast_whole` needs more memory than there is.
-void require_memory_for_whole(const HeightFile& file, ShadowResult result, std::size_t lamps);
+void require_memory_for_whole(const HeightFile& file, const Caster& caster, ShadowResult result,
+                              std::size_t lamps);
 
 /// Reads all heights, casts, writes. Every caster and result. Throws what reading, casting and writing throw.
 ShadowOutcome cast_whole(const ShadowJob& job);
@@ -70,8 +71,8 @@ bool can_stream(const Caster& caster, ShadowResult result);
 ShadowOutcome cast_in_stream(const ShadowJob& job);
 
 /// Throws UnsupportedOnThisMachine when not even the smallest window fits. For before anything is read or made.
-void require_memory_for_windows(const HeightFile& file, const DirectionalLight& light, ShadowResult result,
-                                double memory_bytes);
+void require_memory_for_windows(const HeightFile& file, const DirectionalLight& light, const Caster& caster,
+                                ShadowResult result, double memory_bytes);
 
 /// Casts `light` window by window, each with the ground that can shade it, so that what is in memory at a time fits
 /// `memory_bytes`. Every caster and result but lamps. The same bytes as `cast_whole`; the file is read twice and

@@ -93,7 +93,8 @@ public:
     {
         if (job.curvature.coefficient != 0.0)
             curved_.emplace(job.curvature, job.file.ground().cell_size_m, job.file.columns());
-        const double a_line = static_cast<double>(cells_) * bytes_per_cell(job.result, 0) * kBesides;
+        const double a_line =
+            static_cast<double>(cells_) * bytes_per_cell(job.caster, job.result, 0) * kBesides;
         most_lines_ = static_cast<double>(job.memory_bytes) / a_line;
     }
 
@@ -362,14 +363,14 @@ private:
 
 } // namespace
 
-void require_memory_for_windows(const HeightFile& file, const DirectionalLight& light, ShadowResult result,
-                                double memory_bytes)
+void require_memory_for_windows(const HeightFile& file, const DirectionalLight& light, const Caster& caster,
+                                ShadowResult result, double memory_bytes)
 {
     const bool rows = uniform_answer(light) || light_frame(light, file.ground().cell_size_m).lines_are_rows;
     const std::size_t lines = std::min(kLeastLines, rows ? file.rows() : file.columns());
     const double needed_bytes = static_cast<double>(lines)
                                 * static_cast<double>(rows ? file.columns() : file.rows())
-                                * bytes_per_cell(result, 0) * kBesides;
+                                * bytes_per_cell(caster, result, 0) * kBesides;
     if (needed_bytes > memory_bytes)
         refuse_lines(file, rows, lines, needed_bytes, memory_bytes);
 }

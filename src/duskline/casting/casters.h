@@ -28,6 +28,9 @@ struct Caster {
     /// The same for a lamp; null where the caster takes none. See lamps.h.
     ShadowMask (*cast_lamp)(const HeightField&, const PointLight&, const Execution&);
     ShadowField (*lamp_shadow_heights)(const HeightField&, const PointLight&, const Execution&);
+
+    /// Memory that grows with the terrain, beside its heights and the answers: about so many bytes a cell.
+    double bytes_per_cell = 0.0;
 };
 
 /// Every caster there is, the reference first.
@@ -37,7 +40,8 @@ inline constexpr std::array kCasters = {
            cast_by_ray, shadow_heights_by_ray},
     Caster{"fast-ray", "the same rays over a min/max pyramid, the same answers in a small part of the time",
            "Tevs, Ihrke and Seidel, maximum mipmaps, 2008", true, cast_by_fast_ray,
-           shadow_heights_by_fast_ray, cast_by_fast_ray, shadow_heights_by_fast_ray},
+           shadow_heights_by_fast_ray, cast_by_fast_ray, shadow_heights_by_fast_ray,
+           2.0 / 3.0 * sizeof(float)},
     Caster{"exact", "carry the true front across the grid; the ray's answers at nearly the sweep's price",
            "upper envelope by plane sweep, Reif and Sen 1988", true, cast_by_exact, shadow_heights_by_exact,
            cast_by_exact, shadow_heights_by_exact},
@@ -47,7 +51,7 @@ inline constexpr std::array kCasters = {
     Caster{"smap",
            "ask a map of silhouettes, the only ground that can shade; lines along the light do not count",
            "Sakalauskas, Hybrid Terrain Shadow Ray Casting, 2008", false, cast_by_smap,
-           shadow_heights_by_smap, nullptr, nullptr},
+           shadow_heights_by_smap, nullptr, nullptr, sizeof(SilhouetteTexel)},
     Caster{"strider",
            "cast lines from what is lit, away from the light; fast, off by half a cell at shadow edges",
            "Strahan, Strider Technique, gamedev.net 2004", false, cast_by_strider, shadow_heights_by_strider,

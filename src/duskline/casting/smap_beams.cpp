@@ -156,8 +156,15 @@ private:
         const std::int64_t from = std::max<std::int64_t>(first, 0);
         const std::int64_t to = std::min<std::int64_t>(first + static_cast<std::int64_t>(kSamples),
                                                        static_cast<std::int64_t>(build_.heights.cells));
-        for (std::int64_t u = from; u < to; ++u)
-            out[static_cast<std::size_t>(u - first)] = build_.heights.at(line, static_cast<std::size_t>(u));
+        if (from >= to)
+            return;
+        const float* const samples = &build_.heights.at(line, static_cast<std::size_t>(from));
+        float* const inside = out.data() + (from - first);
+        if (build_.heights.cell_step == 1)
+            std::copy_n(samples, to - from, inside);
+        else
+            for (std::int64_t i = 0; i < to - from; ++i)
+                inside[i] = samples[i * build_.heights.cell_step];
     }
 
     SilhouetteLine line_at(std::size_t v)

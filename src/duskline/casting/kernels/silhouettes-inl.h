@@ -158,6 +158,8 @@ public:
         const Vec texels = load(line);
         const Mask unknown = hn::Eq(hn::ShiftRight<1>(texels), hn::Zero(DI()));
         Vec next = hn::IfThenElseZero(unknown, offered);
+        if (hn::AllFalse(DI(), exists(next)))
+            return;
         if (band_.better)
             next = past_those_that_cannot_shadow(line, next);
         store(line, hn::Or(texels, hn::ShiftLeft<1>(next)));
@@ -168,10 +170,12 @@ public:
     {
         const Vec texels = load(line);
         Vec next = hn::ShiftRight<1>(texels);
-        for (;;) {
+        while (!hn::AllFalse(DI(), exists(next))) {
             const Vec index = index_of(next);
             const Vec after = hn::IfThenElseZero(
                 exists(next), hn::ShiftRight<1>(hn::GatherIndex(DI(), band_.texels, index)));
+            if (hn::AllFalse(DI(), exists(after)))
+                break;
             const Vec after_index = index_of(after);
             const Mask covered =
                 hn::And(exists(after), not_above(index, gather(band_.lowest_first, after_index),
