@@ -43,6 +43,7 @@ namespace {
 
 using kernels::kBeamsPerBand;
 using kernels::SectionTap;
+using kernels::SectionTaps;
 using kernels::SilhouetteBand;
 using kernels::SilhouetteLine;
 
@@ -94,11 +95,41 @@ std::vector<BandPlace> bands_of(const SilhouetteBuild& build)
     return bands;
 }
 
+SectionTaps taps_at(float before, float own, float after)
+{
+    float places[kernels::kSectionPlaces] = {0.0f, 1.0f - before, 1.0f - own, 1.0f - after, 1.0f};
+    std::sort(std::begin(places) + 1, std::end(places) - 1);
+    const auto tap = [](float place, float part_of_line) -> SectionTap {
+        const float from_first = place + part_of_line;
+        return from_first < 1.0f ? SectionTap{0, from_first} : SectionTap{1, from_first - 1.0f};
+    };
+    SectionTaps taps;
+    for (std::size_t i = 0; i < kernels::kSectionPlaces; ++i) {
+        taps.before[i] = tap(places[i], before);
+        taps.own[i] = tap(places[i], own);
+        taps.after[i] = tap(places[i], after);
+    }
+    return taps;
+}
+
+// The same for all sections of a line.
+std::vector<SectionTaps> taps_of(const std::vector<SilhouetteLineFacts>& lines)
+{
+    std::vector<SectionTaps> taps;
+    taps.reserve(lines.size());
+    for (std::size_t v = 0; v < lines.size(); ++v) {
+        const float own = lines[v].part;
+        taps.push_back(
+            taps_at(v > 0 ? lines[v - 1].part : own, own, v + 1 < lines.size() ? lines[v + 1].part : own));
+    }
+    return taps;
+}
+
 // What a thread needs to build a band.
 class BandBuilder {
 public:
-    explicit BandBuilder(const SilhouetteBuild& build)
-        : build_(build), kernels_(kernels_of(build.options)), samples_(3, kSamples)
+    BandBuilder(const SilhouetteBuild& build, const std::vector<SectionTaps>& taps)
+        : build_(build), taps_(taps), kernels_(kernels_of(build.options)), samples_(3, kSamples)
     {}
 
     void build(const BandPlace& place, Grid<SilhouetteTexel>& texels)
@@ -175,7 +206,7 @@ private:
         line.before = samples_of(number - 1).data();
         line.own = samples_of(number).data();
         line.after = samples_of(number + 1).data();
-        place_taps(number, line);
+        line.taps = &taps_[v];
         line.part = facts.part;
         line.rise_m = build_.margins.rise_m;
         line.fall_m = build_.margins.fall_m;
@@ -189,27 +220,6 @@ private:
              {&line.out.highest_first, &line.out.highest_last, &line.out.lowest_first, &line.out.lowest_last})
             *bound += values;
         return line;
-    }
-
-    void place_taps(std::int64_t v, SilhouetteLine& line) const
-    {
-        const float own = build_.lines[static_cast<std::size_t>(v)].part;
-        const auto part = [&](std::int64_t w) {
-            return has_line(w) ? build_.lines[static_cast<std::size_t>(w)].part : own;
-        };
-        const float before = part(v - 1);
-        const float after = part(v + 1);
-        float places[kernels::kSectionPlaces] = {0.0f, 1.0f - before, 1.0f - own, 1.0f - after, 1.0f};
-        std::sort(std::begin(places) + 1, std::end(places) - 1);
-        const auto tap = [](float place, float part_of_line) -> SectionTap {
-            const float from_first = place + part_of_line;
-            return from_first < 1.0f ? SectionTap{0, from_first} : SectionTap{1, from_first - 1.0f};
-        };
-        for (std::size_t i = 0; i < kernels::kSectionPlaces; ++i) {
-            line.before_taps[i] = tap(places[i], before);
-            line.own_taps[i] = tap(places[i], own);
-            line.after_taps[i] = tap(places[i], after);
-        }
     }
 
     void search()
@@ -312,6 +322,7 @@ private:
     }
 
     const SilhouetteBuild& build_;
+    const std::vector<SectionTaps>& taps_;
     const kernels::Kernels& kernels_;
     BandPlace place_{};
     SilhouetteBand band_;
@@ -352,10 +363,11 @@ Grid<SilhouetteTexel> silhouette_texels(const SilhouetteBuild& build, const Exec
 {
     Grid<SilhouetteTexel> texels(build.heights.lines, build.heights.cells + 1);
     const std::vector<BandPlace> bands = bands_of(build);
+    const std::vector<SectionTaps> taps = taps_of(build.lines);
     // A thread goes through some bands with the same memory.
     const std::size_t piece = std::clamp<std::size_t>(bands.size() / (8 * thread_count(execution)), 1, 8);
     for_rows(bands.size(), piece, execution, [&](std::size_t first, std::size_t last) {
-        BandBuilder builder(build);
+        BandBuilder builder(build, taps);
         for (std::size_t i = first; i < last; ++i)
             builder.build(bands[i], texels);
     });

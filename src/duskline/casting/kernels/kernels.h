@@ -148,8 +148,15 @@ constexpr std::size_t kSectionPlaces = 5;
 
 /// Where a place of a section lies on a line: a share of the way from a sample, 0 or 1, to the next.
 struct SectionTap {
-    std::size_t sample = 0;
+    std::int32_t sample = 0;
     float share = 0.0f;
+};
+
+/// All places of the sections of a line, on the line before, on it and on the line after.
+struct SectionTaps {
+    SectionTap before[kSectionPlaces];
+    SectionTap own[kSectionPlaces];
+    SectionTap after[kSectionPlaces];
 };
 
 /// A band of neighbouring beams, line after line of kBeamsPerBand values. Heights are tilted.
@@ -173,9 +180,7 @@ struct SilhouetteLine {
         nullptr; ///< samples of the line nearer the light; kBeamsPerBand + 2, NaN outside the grid
     const float* own = nullptr;
     const float* after = nullptr;
-    SectionTap before_taps[kSectionPlaces];
-    SectionTap own_taps[kSectionPlaces];
-    SectionTap after_taps[kSectionPlaces];
+    const SectionTaps* taps = nullptr;
     float part = 0.0f;       ///< where sections begin, of the way from their first sample to the second
     float rise_m = 0.0f;     ///< how much lower the line before looks along the light, rounding included
     float fall_m = 0.0f;     ///< and the line after

@@ -35,10 +35,11 @@ struct PieceEnd {
 template <class D>
 HWY_INLINE hn::Vec<D> height_at(D d, const float* samples, const SectionTap& tap, std::size_t i)
 {
-    const auto first = hn::LoadU(d, samples + tap.sample + i);
+    const float* const from = samples + tap.sample + i;
+    const auto first = hn::LoadU(d, from);
     if (tap.share == 0.0f) // whatever is missing beside it
         return first;
-    const auto rise = hn::Sub(hn::LoadU(d, samples + tap.sample + 1 + i), first);
+    const auto rise = hn::Sub(hn::LoadU(d, from + 1), first);
     return hn::Add(first, hn::Mul(rise, hn::Set(d, tap.share)));
 }
 
@@ -52,9 +53,9 @@ HWY_INLINE hn::Mask<D> not_below(hn::Vec<D> a, hn::Vec<D> b)
 template <class D>
 HWY_INLINE PieceEnd<D> piece_end(D d, const SilhouetteLine& line, std::size_t place, std::size_t i)
 {
-    const auto own = height_at(d, line.own, line.own_taps[place], i);
-    const auto before = height_at(d, line.before, line.before_taps[place], i);
-    const auto after = height_at(d, line.after, line.after_taps[place], i);
+    const auto own = height_at(d, line.own, line.taps->own[place], i);
+    const auto before = height_at(d, line.before, line.taps->before[place], i);
+    const auto after = height_at(d, line.after, line.taps->after[place], i);
     const auto over_before = hn::Add(hn::Sub(own, before), hn::Set(d, line.rise_m));
     const auto over_after = hn::Add(hn::Sub(own, after), hn::Set(d, line.fall_m));
     const auto zero = hn::Zero(d);
