@@ -115,8 +115,8 @@ struct SilhouetteStatistics {
 /// and then once more, with better_next_v: while NextV(v) cannot shadow NextV(NextV(v)), NextV(v) becomes the latter.
 ///
 /// Keeps a view of the heights: they must outlive it and stay as they were. Safe to ask from many threads. The same
-/// bits for any number of threads and any SIMD level. Memory: 4 bytes a cell, and 20 bytes for each of some
-/// thousand beams while it is built.
+/// bits for any number of threads and any SIMD level. Memory: 4 bytes a cell, and while it is built
+/// some 20 bytes for each section of the 64 beams that a thread works on.
 class SilhouetteMap {
 public:
     /// Throws InvalidInput for angles or cell sizes out of range, for grids of more than 2^26 lines and for a SIMD

@@ -140,7 +140,7 @@ struct LampCells {
 };
 
 /// Beams of a silhouette map that are built together (smap_beams.cpp).
-constexpr int kBeamsPerBandLog2 = 5;
+constexpr int kBeamsPerBandLog2 = 6;
 constexpr std::size_t kBeamsPerBand = std::size_t{1} << kBeamsPerBandLog2;
 
 /// Places of a section at which its line is compared with the lines before and after.
