@@ -29,7 +29,8 @@ struct Caster {
     ShadowMask (*cast_lamp)(const HeightField&, const PointLight&, const Execution&);
     ShadowField (*lamp_shadow_heights)(const HeightField&, const PointLight&, const Execution&);
 
-    /// Memory that grows with the terrain, beside its heights and the answers: about so many bytes a cell.
+    /// Memory for what it keeps of the whole terrain beside heights and answers, where that is not less than a share
+    /// of them that planners add anyway: about so many bytes a cell.
     double bytes_per_cell = 0.0;
 };
 
@@ -40,8 +41,7 @@ inline constexpr std::array kCasters = {
            cast_by_ray, shadow_heights_by_ray},
     Caster{"fast-ray", "the same rays over a min/max pyramid, the same answers in a small part of the time",
            "Tevs, Ihrke and Seidel, maximum mipmaps, 2008", true, cast_by_fast_ray,
-           shadow_heights_by_fast_ray, cast_by_fast_ray, shadow_heights_by_fast_ray,
-           2.0 / 3.0 * sizeof(float)},
+           shadow_heights_by_fast_ray, cast_by_fast_ray, shadow_heights_by_fast_ray},
     Caster{"exact", "carry the true front across the grid; the ray's answers at nearly the sweep's price",
            "upper envelope by plane sweep, Reif and Sen 1988", true, cast_by_exact, shadow_heights_by_exact,
            cast_by_exact, shadow_heights_by_exact},
