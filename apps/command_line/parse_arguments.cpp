@@ -42,9 +42,7 @@ void parse_arguments(CLI::App& app, std::vector<std::string> arguments)
     std::ranges::reverse(arguments);
     try {
         app.parse(arguments);
-    } catch (const CLI::CallForHelp&) {
-        throw;
-    } catch (const CLI::CallForAllHelp&) {
+    } catch (const CLI::Success&) { // a call for help or for the version
         throw;
     } catch (const CLI::ParseError& error) {
         throw UsageError(fmt::format("{} (see {} --help)", in_plain_words(error), full_name(chosen(app))));

@@ -8,7 +8,7 @@
 namespace duskline::cli {
 
 /// Reads the arguments after the program's name into what `app` declares. Throws UsageError, in plain words, when they
-/// do not fit; CLI::CallForHelp and CLI::CallForAllHelp where a help page was asked for. Of an app that allows extras,
+/// do not fit; CLI::Success (CLI::CallForHelp, ...) where help or the version was asked for. Of an app that allows extras,
 /// what it does not know remains: see `reject_unknown`.
 void parse_arguments(CLI::App& app, std::vector<std::string> arguments);
 

@@ -138,18 +138,9 @@ std::string in_words(const Sea& sea)
 
 } // namespace
 
-void add_picture_options(CLI::App& app, PictureOptions& options)
+void add_look_options(CLI::App& app, PictureOptions& options)
 {
     add_colours(app, options);
-    add_number(app,
-               {.names = "--exaggeration",
-                .unit = "F",
-                .text =
-                    "shade slopes as if they were F times as steep (shadows stay where they fall); else as "
-                    "much as the terrain needs under this light, from 1 to 6",
-                .range = {.least = 0.0, .above = true}},
-               options.exaggeration)
-        ->group(kGroup);
     add_number(app,
                {.names = "--ambient",
                 .unit = "SHARE",
@@ -158,6 +149,20 @@ void add_picture_options(CLI::App& app, PictureOptions& options)
                     "0.06 on bodies without air",
                 .range = {.least = 0.0, .most = 0.99}},
                options.ambient)
+        ->group(kGroup);
+}
+
+void add_picture_options(CLI::App& app, PictureOptions& options)
+{
+    add_look_options(app, options);
+    add_number(app,
+               {.names = "--exaggeration",
+                .unit = "F",
+                .text =
+                    "shade slopes as if they were F times as steep (shadows stay where they fall); else as "
+                    "much as the terrain needs under this light, from 1 to 6",
+                .range = {.least = 0.0, .above = true}},
+               options.exaggeration)
         ->group(kGroup);
     app.add_option_function<std::string>(
            "--size", [&options](const std::string& typed) { options.size = parse_count("--size", typed, 1); },

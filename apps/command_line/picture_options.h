@@ -26,6 +26,8 @@ struct PictureOptions {
 
 /// `options` must outlive `app`'s parsing.
 void add_picture_options(CLI::App& app, PictureOptions& options);
+/// The same without --exaggeration and --size.
+void add_look_options(CLI::App& app, PictureOptions& options);
 
 /// Throws UsageError, before any work, for a palette that is neither a name nor a file that can be read as one.
 void require_palette(const PictureOptions& options);

@@ -98,4 +98,12 @@ void bind_window(std::size_t width, std::size_t height)
     glViewport(0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
 }
 
+void clear_window()
+{
+    constexpr std::array<float, 4> black = {0.0f, 0.0f, 0.0f, 1.0f};
+    constexpr float furthest = 1.0f;
+    glClearBufferfv(GL_COLOR, 0, black.data());
+    glClearBufferfv(GL_DEPTH, 0, &furthest);
+}
+
 } // namespace duskline::gl

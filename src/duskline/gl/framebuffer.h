@@ -40,4 +40,7 @@ private:
 /// Everything drawn from now on goes to the window, whose size in pixels is given.
 void bind_window(std::size_t width, std::size_t height);
 
+/// Fills the window with black and depth with the furthest. It must be bound.
+void clear_window();
+
 } // namespace duskline::gl

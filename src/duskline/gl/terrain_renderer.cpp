@@ -18,7 +18,7 @@ constexpr std::size_t kIndicesPerPatch = 6 * kPatchSquares * kPatchSquares;
 constexpr std::size_t kMostLevels = 24; // of the array in terrain.vert.glsl: grids of up to 2^28 cells a side
 constexpr Angle kBrightSkyAltitude = Angle::from_degrees(55.0);
 
-constexpr double kClearOverExtent = 3.0; // how far one sees, in extents of the terrain
+constexpr double kClearOverExtent = 5.0; // how far one sees, in extents of the terrain
 
 std::array<float, 3> as_floats(const Vector3& v)
 {

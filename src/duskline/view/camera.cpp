@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -48,6 +49,27 @@ std::vector<Vector3> corners_m(const HeightField& field)
                 corners.push_back(position_m({row, column, has_data ? static_cast<double>(height_m) : 0.0},
                                              field.cell_size_m));
     return corners;
+}
+
+// How far back from a place, and how far aside, everything just fits between two planes through the eye.
+struct Fit {
+    double distance_m = 0.0;
+    double shift_m = 0.0;
+};
+
+// The planes rise by `half_width` a metre ahead, towards `aside` and away from it: each is moved until it touches.
+Fit fitted(const std::vector<Vector3>& places_m, const Vector3& around_m, const Vector3& aside,
+           const Vector3& forward, double half_width)
+{
+    double this_side_m = -std::numeric_limits<double>::infinity();
+    double other_side_m = this_side_m;
+    for (const Vector3& place_m : places_m) {
+        const double across_m = dot(place_m - around_m, aside);
+        const double within_m = half_width * dot(place_m - around_m, forward);
+        this_side_m = std::max(this_side_m, across_m - within_m);
+        other_side_m = std::max(other_side_m, -across_m - within_m);
+    }
+    return {(this_side_m + other_side_m) / (2.0 * half_width), (this_side_m - other_side_m) / 2.0};
 }
 
 // Of the ground under a place, that of the nearest border beyond it.
@@ -172,14 +194,10 @@ Camera overview(const HeightField& field, double aspect)
     const auto [forward, right, up] = axes_of(camera);
     const double half_height = kFilled * tangent(Angle::from_degrees(camera.vertical_view.degrees() / 2.0));
     const Vector3 middle = middle_m(field);
-    double distance_m = 0.0;
-    for (const Vector3& corner : corners_m(field)) {
-        const Vector3 from_middle = corner - middle;
-        const double needed = std::max(std::abs(dot(from_middle, right)) / (half_height * aspect),
-                                       std::abs(dot(from_middle, up)) / half_height);
-        distance_m = std::max(distance_m, needed - dot(from_middle, forward));
-    }
-    camera.position_m = middle - forward * distance_m;
+    const Fit sideways = fitted(corners_m(field), middle, right, forward, half_height * aspect);
+    const Fit upwards = fitted(corners_m(field), middle, up, forward, half_height);
+    const double distance_m = std::max(sideways.distance_m, upwards.distance_m);
+    camera.position_m = middle + right * sideways.shift_m + up * upwards.shift_m - forward * distance_m;
     return kept_above_ground(camera, field, 0.05 * distance_m);
 }
 

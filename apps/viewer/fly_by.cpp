@@ -1,0 +1,245 @@
+#include "fly_by.h"
+
+#include "exit_code.h"
+#include "interruption.h"
+#include "picture_target.h"
+#include "raster_site.h"
+#include "scene.h"
+#include "stopwatch.h"
+
+#include <duskline/gl/headless_context.h>
+#include <duskline/products/mask_difference.h>
+#include <duskline/raster_io/write_picture.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace duskline::viewer {
+namespace {
+
+constexpr std::size_t kCompared = 8; // frames of a flight whose masks are compared with the truth
+constexpr double kClearanceOverCells = 1.0;
+
+// One flight with one technique.
+struct Flight {
+    std::string technique;
+    bool still = false; ///< the light is at rest, and shadows are found before
+};
+
+struct FlightFigures {
+    std::vector<double> frame_ms;
+    double cast_ms = 0.0; ///< sum over the frames
+    double draw_ms = 0.0; ///< the rest of them
+    double triangles = 0.0;
+    MaskDifference difference; ///< of all frames compared
+};
+
+struct FrameRates {
+    double least = 0.0;
+    double most = 0.0;
+    double mean = 0.0; ///< frames over seconds
+};
+
+FrameRates frame_rates(const std::vector<double>& frame_ms)
+{
+    const auto [shortest, longest] = std::ranges::minmax(frame_ms);
+    double sum_ms = 0.0;
+    for (const double ms : frame_ms)
+        sum_ms += ms;
+    return {1000.0 / longest, 1000.0 / shortest, 1000.0 * static_cast<double>(frame_ms.size()) / sum_ms};
+}
+
+// The first is what drawing alone costs, and with the light at rest each technique differs from that by its look-up.
+std::vector<Flight> flights(const ViewerOptions& options, const ViewerState& state)
+{
+    if (options.technique != "all")
+        return {{state.technique, false}, {state.technique, true}};
+    std::vector<Flight> all;
+    for (const gl::ShadowTechniqueKind& kind : gl::shadow_techniques()) {
+        all.push_back({std::string(kind.name), false});
+        if (kind.name != "none")
+            all.push_back({std::string(kind.name), true});
+    }
+    return all;
+}
+
+class FlyBy {
+public:
+    FlyBy(const ViewerOptions& options, const ViewedTerrain& viewed, const SunClock& clock,
+          const gl::ShaderSources& sources)
+        : options_(options), first_(first_state(options, viewed, clock)), scene_(viewed, clock, sources),
+          target_(options.width, options.height),
+          path_(options.flight.empty() ? usual_flight(
+                    scene_.field(), static_cast<double>(options.width) / static_cast<double>(options.height))
+                                       : read_flight(options.flight))
+    {}
+
+    const ViewerState& first() const { return first_; }
+
+    FlightFigures fly(const Flight& flight)
+    {
+        FlightFigures figures;
+        const std::size_t frames = *options_.flyby_frames;
+        warm_up(flight);
+        for (std::size_t frame = 0; frame < frames; ++frame) {
+            cli::stop_if_interrupted();
+            fly_frame(flight, frame, figures);
+            if (frame % std::max<std::size_t>(1, frames / kCompared) == 0)
+                compare(figures.difference);
+            if (!options_.frames.empty())
+                write_frame(flight, frame);
+        }
+        return figures;
+    }
+
+private:
+    ViewerState state_at(const Flight& flight, std::size_t frame) const
+    {
+        const auto frames = static_cast<double>(*options_.flyby_frames);
+        ViewerState state = first_;
+        const double cell_m = std::max(scene_.field().cell_size_m.x, scene_.field().cell_size_m.y);
+        state.camera = kept_above_ground(pose_at(path_, static_cast<double>(frame) / (frames - 1.0)),
+                                         scene_.field(), kClearanceOverCells * cell_m);
+        state.technique = flight.technique;
+        if (!flight.still)
+            state.light.azimuth_deg += 360.0 * static_cast<double>(frame) / frames;
+        return state;
+    }
+
+    // Shaders are compiled and textures made before anything is timed.
+    void warm_up(const Flight& flight)
+    {
+        ViewerState state = state_at(flight, 0);
+        target_.begin();
+        if (!flight.still)
+            state.light.azimuth_deg += 1.0;
+        scene_.cast(state, true);
+        scene_.draw(state, options_.width, options_.height, true);
+    }
+
+    void fly_frame(const Flight& flight, std::size_t frame, FlightFigures& figures)
+    {
+        const ViewerState state = state_at(flight, frame);
+        FrameCost cast;
+        FrameCost drawn;
+        double seconds = 0.0;
+        {
+            const cli::Stopwatch watch(seconds);
+            target_.begin();
+            cast = scene_.cast(state, true);
+            drawn = scene_.draw(state, options_.width, options_.height, true);
+        }
+        figures.cast_ms += cast.cast_ms;
+        figures.draw_ms += 1000.0 * seconds - cast.cast_ms;
+        figures.triangles += static_cast<double>(drawn.mesh.triangles);
+        figures.frame_ms.push_back(1000.0 * seconds);
+    }
+
+    void compare(MaskDifference& sum)
+    {
+        const MaskDifference here = mask_difference(scene_.true_mask(), scene_.lit_mask());
+        sum.cells += here.cells;
+        sum.differing += here.differing;
+        sum.false_light += here.false_light;
+        sum.false_shadow += here.false_shadow;
+    }
+
+    void write_frame(const Flight& flight, std::size_t frame)
+    {
+        const std::string name =
+            fmt::format("{}{}_{:04}.png", flight.technique, flight.still ? "_still" : "", frame);
+        write_picture((std::filesystem::path(options_.frames) / name).string(), target_.picture().view(),
+                      options_.overwrite);
+    }
+
+    const ViewerOptions& options_;
+    ViewerState first_;
+    Scene scene_;
+    PictureTarget target_;
+    CameraPath path_;
+};
+
+nlohmann::ordered_json as_json(const Flight& flight, const FlightFigures& figures)
+{
+    const FrameRates rates = frame_rates(figures.frame_ms);
+    const auto frames = static_cast<double>(figures.frame_ms.size());
+    const auto cells = static_cast<double>(figures.difference.cells);
+    return {{"technique", flight.technique},
+            {"light_at_rest", flight.still},
+            {"fps", {{"least", rates.least}, {"most", rates.most}, {"mean", rates.mean}}},
+            {"mean_cast_ms", figures.cast_ms / frames},
+            {"mean_draw_ms", figures.draw_ms / frames},
+            {"mean_triangles", figures.triangles / frames},
+            {"wrong_share", static_cast<double>(figures.difference.differing) / cells},
+            {"false_light_share", static_cast<double>(figures.difference.false_light) / cells},
+            {"false_shadow_share", static_cast<double>(figures.difference.false_shadow) / cells}};
+}
+
+std::string as_line(const nlohmann::ordered_json& flight)
+{
+    return fmt::format("{:<22} {:9.2f} {:9.2f} {:9.2f} {:10.2f} {:10.2f} {:11.4f} %",
+                       flight["technique"].get<std::string>()
+                           + (flight["light_at_rest"].get<bool>() ? ", at rest" : ""),
+                       flight["fps"]["least"].get<double>(), flight["fps"]["most"].get<double>(),
+                       flight["fps"]["mean"].get<double>(), flight["mean_cast_ms"].get<double>(),
+                       flight["mean_draw_ms"].get<double>(), 100.0 * flight["wrong_share"].get<double>());
+}
+
+void require_places(const ViewerOptions& options)
+{
+    if (!options.report.empty() && !options.overwrite && std::filesystem::exists(options.report))
+        throw OutputError(fmt::format("'{}' is there already: --overwrite replaces it", options.report));
+    if (!options.frames.empty() && !std::filesystem::is_directory(options.frames))
+        throw OutputError(fmt::format("--frames: there is no folder '{}'", options.frames));
+}
+
+void write_report(const std::string& path, const nlohmann::ordered_json& json)
+{
+    std::ofstream file(path);
+    file << json.dump(2) << '\n';
+    file.close();
+    if (!file)
+        throw OutputError(fmt::format("cannot write '{}'", path));
+}
+
+} // namespace
+
+void fly_by(const ViewerOptions& options, cli::Report& report)
+{
+    require_places(options);
+    const gl::HeadlessContext context;
+    const gl::ContextInfo info = gl::current_context();
+    const ViewedTerrain viewed = read_viewed_terrain(options, report);
+    const SunClock clock(cli::light_site(viewed.file.ground()), options.light.sun,
+                         options.light.sun_size_deg);
+    const gl::ShaderSources sources;
+    FlyBy fly_by(options, viewed, clock, sources);
+
+    report.field("renderer", info.renderer);
+    report.field("opengl", info.version);
+    report.field("terrain", options.input.path);
+    report.field("rows", viewed.terrain.heights_m.rows());
+    report.field("columns", viewed.terrain.heights_m.columns());
+    report.field("width", options.width);
+    report.field("height", options.height);
+    report.field("frames", *options.flyby_frames);
+    report.field("altitude_deg", fly_by.first().light.altitude_deg);
+    report.line(fmt::format("{} x {} cells, {} x {} pixels, {} frames, {}",
+                            viewed.terrain.heights_m.columns(), viewed.terrain.heights_m.rows(),
+                            options.width, options.height, *options.flyby_frames, info.renderer));
+    report.line(fmt::format("{:<22} {:>9} {:>9} {:>9} {:>10} {:>10} {:>13}", "technique", "least fps",
+                            "most fps", "mean fps", "cast, ms", "draw, ms", "cells wrong"));
+    for (const Flight& flight : flights(options, fly_by.first())) {
+        const auto json = as_json(flight, fly_by.fly(flight));
+        report.json()["flights"].push_back(json);
+        report.line(as_line(json));
+    }
+    if (!options.report.empty())
+        write_report(options.report, report.json());
+}
+
+} // namespace duskline::viewer

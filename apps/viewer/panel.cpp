@@ -1,0 +1,183 @@
+#include "panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace duskline::viewer {
+namespace {
+
+constexpr float kWidth = 300.0f;
+
+void text(const std::string& line)
+{
+    ImGui::TextUnformatted(line.c_str());
+}
+
+bool slider(const char* label, double& value, double least, double most, const char* format)
+{
+    return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, format);
+}
+
+void draw_clock(ViewerLight& light, Activity& activity, double& speed, const SunClock& clock)
+{
+    using namespace std::chrono;
+    if (!light.time) {
+        if (ImGui::Button("By date and time"))
+            light.time = DateTime{floor<microseconds>(system_clock::now())};
+        return;
+    }
+    text(to_iso8601(*light.time));
+    const auto local = light.time->utc + light.time->utc_offset;
+    const auto midnight = floor<days>(local);
+    int minute = static_cast<int>(duration_cast<minutes>(local - midnight).count());
+    if (ImGui::SliderInt("Time", &minute, 0, 24 * 60 - 1,
+                         fmt::format("{:02}:{:02}", minute / 60, minute % 60).c_str()))
+        light.time->utc = midnight + minutes(minute) - light.time->utc_offset;
+    const auto first_day = sys_days(year_month_day(midnight).year() / January / 1);
+    int day = static_cast<int>((midnight - first_day).count());
+    if (ImGui::SliderInt("Day of year", &day, 0, 364))
+        light.time->utc += days(day - static_cast<int>((midnight - first_day).count()));
+    ImGui::Checkbox("Running", &activity.clock_runs);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(110.0f);
+    slider("s per s", speed, -7200.0, 7200.0, "%.0f");
+    if (ImGui::Button("By angles"))
+        light.time = std::nullopt;
+    clock.bring_up_to_date(light);
+}
+
+void draw_light(ViewerState& state, Activity& activity, const SunClock& clock)
+{
+    bool turned = slider("Azimuth", state.light.azimuth_deg, 0.0, 360.0, "%.1f");
+    turned = slider("Altitude", state.light.altitude_deg, -5.0, 90.0, "%.1f") || turned;
+    if (turned)
+        state.light.time = std::nullopt;
+    if (clock.knows_times())
+        draw_clock(state.light, activity, state.clock_s_per_s, clock);
+}
+
+void draw_shadows(ViewerState& state, Activity& activity)
+{
+    if (ImGui::BeginCombo("Technique", state.technique.c_str())) {
+        for (const gl::ShadowTechniqueKind& kind : gl::shadow_techniques()) {
+            const std::string name(kind.name);
+            if (ImGui::Selectable(name.c_str(), name == state.technique))
+                state.technique = name;
+            if (ImGui::IsItemHovered())
+                ImGui::SetTooltip("%s", std::string(kind.description).c_str());
+        }
+        ImGui::EndCombo();
+    }
+    if (gl::shadow_technique_named(state.technique).has_soft_edges)
+        ImGui::Checkbox("Soft edges", &state.soft);
+    ImGui::Checkbox("Mark what is wrong", &state.difference);
+    ImGui::SameLine();
+    activity.wants_count = ImGui::SmallButton("Count");
+    if (activity.counted)
+        text(fmt::format("{} of {} cells wrong ({:.4f} %)\n{} lit, {} dark", activity.counted->differing,
+                         activity.counted->cells,
+                         100.0 * static_cast<double>(activity.counted->differing)
+                             / static_cast<double>(std::max<std::size_t>(1, activity.counted->cells)),
+                         activity.counted->false_light, activity.counted->false_shadow));
+}
+
+void draw_look(ViewerState& state)
+{
+    ImGui::SliderFloat("Ambient", &state.ambient, 0.0f, 0.9f, "%.2f");
+    ImGui::SliderFloat("Exposure", &state.exposure, 0.25f, 4.0f, "%.2f", ImGuiSliderFlags_Logarithmic);
+    ImGui::SliderFloat("Relief", &state.exaggeration, 0.5f, 6.0f, "%.2f");
+    slider("Mesh error, px", state.pixel_error, 0.5, 10.0, "%.1f");
+    double view_deg = state.camera.vertical_view.degrees();
+    if (slider("Field of view", view_deg, 10.0, 100.0, "%.0f"))
+        state.camera.vertical_view = Angle::from_degrees(view_deg);
+}
+
+void draw_flight(Activity& activity)
+{
+    if (ImGui::Button(activity.records ? "Stop" : "Record")) {
+        activity.records = !activity.records;
+        if (activity.records)
+            activity.flight.poses.clear();
+    }
+    ImGui::SameLine();
+    if (ImGui::Button(activity.replays ? "Halt" : "Fly")) {
+        activity.replays = !activity.replays && !activity.records;
+        activity.replayed = 0.0;
+    }
+    ImGui::SameLine();
+    activity.wants_flight_saved = ImGui::Button("Save flight") && !activity.flight.poses.empty();
+    ImGui::SameLine();
+    text(fmt::format("{} poses", activity.flight.poses.size()));
+}
+
+void draw_figures(const FrameFigures& figures)
+{
+    text(fmt::format("{:7.2f} ms a frame ({:.0f} a second)", figures.frame_ms,
+                     1000.0 / std::max(0.01, figures.frame_ms)));
+    text(fmt::format("{:7.2f} ms cast; {:.2f} on the card", figures.cast_ms, figures.cast_gpu_ms));
+    text(fmt::format("{:7.2f} ms draw, on the card", figures.draw_gpu_ms));
+    text(fmt::format("{} patches, {} triangles", figures.mesh.patches, figures.mesh.triangles));
+}
+
+void draw_help(bool& open)
+{
+    if (ImGui::Begin("Keys", &open, ImGuiWindowFlags_AlwaysAutoResize))
+        text("Left drag          turn around what the pointer is on\n"
+             "Shift + left drag  move the sun\n"
+             "Right drag         look elsewhere\n"
+             "Middle drag        move sideways\n"
+             "Wheel              nearer, farther\n"
+             "W A S D, Q E       fly; with Shift faster\n"
+             "Home               the whole terrain\n"
+             "Tab                next technique\n"
+             "X                  mark what is wrong\n"
+             "Space              let the clock run\n"
+             "R                  record a flight, stop\n"
+             "F1                 these keys\n"
+             "F2                 save the state\n"
+             "F5                 read changed shaders\n"
+             "F10                hide the panel\n"
+             "F12                screenshot\n"
+             "Escape             leave");
+    ImGui::End();
+}
+
+} // namespace
+
+void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, const FrameFigures& figures)
+{
+    if (activity.help)
+        draw_help(activity.help);
+    if (!activity.panel)
+        return;
+    ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({kWidth, 0.0f}, ImGuiCond_FirstUseEver);
+    ImGui::Begin("Duskline");
+    ImGui::PushItemWidth(0.6f * kWidth);
+    draw_figures(figures);
+    if (ImGui::CollapsingHeader("Light", ImGuiTreeNodeFlags_DefaultOpen))
+        draw_light(state, activity, clock);
+    if (ImGui::CollapsingHeader("Shadows", ImGuiTreeNodeFlags_DefaultOpen))
+        draw_shadows(state, activity);
+    if (ImGui::CollapsingHeader("Look"))
+        draw_look(state);
+    if (ImGui::CollapsingHeader("Flight"))
+        draw_flight(activity);
+    activity.wants_screenshot = ImGui::Button("Screenshot");
+    ImGui::SameLine();
+    activity.wants_state_saved = ImGui::Button("Save state");
+    ImGui::SameLine();
+    activity.wants_overview = ImGui::Button("Whole");
+    ImGui::SameLine();
+    if (ImGui::Button("Keys"))
+        activity.help = !activity.help;
+    if (!activity.message.empty())
+        ImGui::TextWrapped("%s", activity.message.c_str());
+    ImGui::PopItemWidth();
+    ImGui::End();
+}
+
+} // namespace duskline::viewer

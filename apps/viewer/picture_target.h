@@ -1,0 +1,31 @@
+#pragma once
+
+#include <duskline/gl/framebuffer.h>
+#include <duskline/gl/texture.h>
+#include <duskline/products/colour.h>
+
+#include <cstddef>
+
+namespace duskline::viewer {
+
+/// Where pictures without a window are drawn.
+class PictureTarget {
+public:
+    PictureTarget(std::size_t width, std::size_t height);
+
+    /// Everything drawn from now on goes here, over nothing.
+    void begin() const;
+
+    /// What was drawn. Waits for it.
+    Picture picture() const;
+
+    std::size_t width() const { return colour_.width(); }
+    std::size_t height() const { return colour_.height(); }
+
+private:
+    gl::Texture colour_;
+    gl::Texture depth_;
+    gl::Framebuffer framebuffer_;
+};
+
+} // namespace duskline::viewer

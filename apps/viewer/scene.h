@@ -1,0 +1,81 @@
+#pragma once
+
+#include "sun_clock.h"
+#include "viewer_files.h"
+#include "viewer_state.h"
+
+#include <duskline/gl/exact_upload.h>
+#include <duskline/gl/shadow_technique.h>
+#include <duskline/gl/terrain_renderer.h>
+#include <duskline/gl/timer_query.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace duskline::viewer {
+
+/// What a frame cost: by the wall clock, and the graphics card's own time of its passes, that of the frame before unless
+/// the work was waited for.
+struct FrameCost {
+    double cast_ms = 0.0; ///< finding shadows; 0 when they were there
+    std::optional<double> cast_gpu_ms;
+    std::optional<double> draw_gpu_ms;
+    gl::DrawnMesh mesh;
+};
+
+/// How long the graphics card takes for a pass that comes with every frame.
+struct PassTimer {
+    gl::TimerQuery query;
+    bool ran = false;
+};
+
+/// The terrain on the graphics card and the shadows on it, as a state says. Needs a current OpenGL context.
+class Scene {
+public:
+    /// All three must outlive it.
+    Scene(const ViewedTerrain& viewed, const SunClock& clock, const gl::ShaderSources& sources);
+
+    /// Finds the shadows a state asks for, unless they are there already. With `wait` the cost is that of the work
+    /// itself, else that of giving it to the card.
+    FrameCost cast(const ViewerState& state, bool wait = false);
+
+    /// Draws a picture of that size into the current framebuffer.
+    FrameCost draw(const ViewerState& state, std::size_t width, std::size_t height, bool wait = false);
+
+    /// To be called when heights have changed in a rectangle; shadows follow at once.
+    void heights_changed(const CellRectangle& rectangle);
+
+    /// What the technique says of every cell, and what is true. Waits for the card.
+    ShadowMask lit_mask() { return renderer_.lit_mask(technique_->shadow()); }
+    const ShadowMask& true_mask();
+
+    /// Takes up shader files that have changed on disk.
+    bool reload_shaders() { return renderer_.reload_if_changed(); }
+
+    const HeightField& field() const { return field_; }
+
+private:
+    void choose_technique(const ViewerState& state);
+    gl::TerrainLight light_of(const ViewerState& state) const;
+
+    const ViewedTerrain& viewed_;
+    const SunClock& clock_;
+    const gl::ShaderSources& sources_;
+    HeightField field_;
+    gl::TerrainTextures textures_;
+    gl::TerrainRenderer renderer_;
+    PassTimer cast_timer_;
+    PassTimer draw_timer_;
+    std::unique_ptr<gl::ShadowTechnique> technique_;
+    std::string technique_name_;
+    bool soft_ = false;
+    std::optional<DirectionalLight> cast_light_;
+    std::unique_ptr<gl::ExactUpload> truth_; ///< made when first needed
+    std::optional<DirectionalLight> true_light_;
+};
+
+/// A state to begin with: the whole terrain under the light of the options.
+ViewerState first_state(const ViewerOptions& options, const ViewedTerrain& viewed, const SunClock& clock);
+
+} // namespace duskline::viewer

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "height_input.h"
+#include "light_options.h"
+#include "viewer_state.h"
+
+#include <duskline/light/directional_light.h>
+#include <duskline/light/place.h>
+
+#include <optional>
+
+namespace duskline::viewer {
+
+/// Turns a state's light into one for the grid, and knows the sun of the place where there is one.
+class SunClock {
+public:
+    /// `at` replaces the raster's centre.
+    SunClock(const cli::LightSite& site, const cli::SunlightOptions& options,
+             std::optional<double> sun_size_deg);
+
+    /// Whether times mean anything here: on the Earth, at a known place.
+    bool knows_times() const { return place_.has_value(); }
+
+    /// Sets the angles from the time, if the light has one.
+    void bring_up_to_date(ViewerLight& light) const;
+
+    /// The light as casters take it: azimuth from the grid's north.
+    DirectionalLight on_grid(const ViewerLight& light) const;
+
+private:
+    cli::LightSite site_;
+    Air air_;
+    std::optional<Place> place_;
+    Angle sun_size_;
+};
+
+/// A light as if dragged over the sky by pixels of a picture so high: to the right moves it clockwise, up higher.
+/// Altitudes stay from -5 to 90 degrees.
+ViewerLight dragged(const ViewerLight& light, double right_px, double up_px, double picture_height_px);
+
+} // namespace duskline::viewer

@@ -1,0 +1,126 @@
+#include "viewer_options.h"
+
+#include "exit_code.h"
+#include "help_page.h"
+#include "option_values.h"
+
+#include <duskline/gl/shadow_technique.h>
+
+#include <fmt/format.h>
+
+namespace duskline::viewer {
+namespace {
+
+using cli::UsageError;
+
+constexpr auto kLook = "View";
+constexpr auto kHeadless = "Without a window";
+
+constexpr std::size_t kMostPixels = 16384;
+
+void read_size(const std::string& typed, ViewerOptions& options)
+{
+    const std::size_t cross = typed.find('x');
+    if (cross == std::string::npos)
+        throw UsageError(fmt::format("--size must be width x height such as 1024x768, got '{}'", typed));
+    options.width = cli::parse_count("--size", typed.substr(0, cross), 16);
+    options.height = cli::parse_count("--size", typed.substr(cross + 1), 16);
+    if (options.width > kMostPixels || options.height > kMostPixels)
+        throw UsageError(fmt::format("--size must be at most {0}x{0}, got '{1}'", kMostPixels, typed));
+}
+
+std::string technique_list()
+{
+    std::string list;
+    for (const gl::ShadowTechniqueKind& kind : gl::shadow_techniques())
+        list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", kind.name, kind.description);
+    return list;
+}
+
+void add_look(CLI::App& app, ViewerOptions& options)
+{
+    app.add_option_function<std::string>(
+           "--size", [&options](const std::string& typed) { read_size(typed, options); },
+           "of the window or the picture, pixels")
+        ->type_name("WxH")
+        ->default_str("1024x768")
+        ->group(kLook);
+    app.add_option("--technique", options.technique,
+                   "how shadows are found: " + technique_list() + "; with --flyby also all; else exact")
+        ->type_name("NAME")
+        ->group(kLook);
+    app.add_flag("--soft", options.soft, "soft edges of shadows, by techniques that have them")->group(kLook);
+    app.add_flag("--difference", options.difference,
+                 "mark what differs from the exact shadows: red where they are missing, blue where there are "
+                 "too many")
+        ->group(kLook);
+    app.add_option("--state", options.state,
+                   "begin with a state that was saved, a JSON file; other options go before")
+        ->type_name("FILE")
+        ->group(kLook);
+    app.add_option("--flight", options.flight,
+                   "the flight of --flyby, a JSON file that was recorded; else the usual one")
+        ->type_name("FILE")
+        ->group(kLook);
+}
+
+void add_headless(CLI::App& app, ViewerOptions& options)
+{
+    app.add_option("--render", options.render, "write one picture, needs no display; PNG, JPEG, ...")
+        ->type_name("FILE")
+        ->group(kHeadless);
+    app.add_option_function<std::string>(
+           "--flyby",
+           [&options](const std::string& typed) {
+               options.flyby_frames = cli::parse_count("--flyby", typed, 2);
+           },
+           "fly over the terrain in so many frames while the light goes round once, and say how long they "
+           "took; needs no "
+           "display")
+        ->type_name("FRAMES")
+        ->group(kHeadless);
+    app.add_option("--report", options.report, "write the figures of --flyby to a JSON file")
+        ->type_name("FILE")
+        ->group(kHeadless);
+    app.add_option("--frames", options.frames, "write the pictures of --flyby into a folder that is there")
+        ->type_name("FOLDER")
+        ->group(kHeadless);
+    app.add_flag("--overwrite", options.overwrite, "replace files that are there")->group(kHeadless);
+}
+
+} // namespace
+
+void add_viewer_options(CLI::App& app, ViewerOptions& options)
+{
+    cli::add_input_options(app, options.input);
+    add_look(app, options);
+    cli::add_light_options(app, options.light);
+    cli::add_look_options(app, options.picture);
+    add_headless(app, options);
+    cli::add_run_options(app, options.run);
+    cli::add_details(
+        app, "Opens a window with INPUT as a landscape under a sun that can be moved, by hand, by angles "
+             "or by date and time. Drag to look around, turn the wheel to come nearer, hold Shift and "
+             "drag to move the sun; F1 shows all keys. --render and --flyby need neither window nor "
+             "display.");
+    cli::add_example(app, "look at a terrain", "duskline-viewer dem.tif");
+    cli::add_example(app, "the evening of a day, as a picture",
+                     "duskline-viewer dem.tif --render evening.png --time 2026-06-21T18:30-10:00");
+    cli::add_example(app, "how fast every technique is here, and how right",
+                     "duskline-viewer dem.tif --flyby 1000 --technique all --report flyby.json");
+}
+
+void require_consistent(const ViewerOptions& options)
+{
+    if (!options.render.empty() && options.flyby_frames)
+        throw UsageError("give --render or --flyby, not both");
+    if (!options.flyby_frames && (!options.report.empty() || !options.frames.empty()))
+        throw UsageError("--report and --frames say where --flyby leaves what it finds: give --flyby FRAMES");
+    if (!options.flyby_frames && options.technique == "all")
+        throw UsageError("--technique all is for --flyby");
+    if (!options.technique.empty() && options.technique != "all")
+        gl::shadow_technique_named(options.technique);
+    cli::require_palette(options.picture);
+}
+
+} // namespace duskline::viewer

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "input_options.h"
+#include "light_options.h"
+#include "picture_options.h"
+#include "run_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace duskline::viewer {
+
+/// What `duskline-viewer` was asked for.
+struct ViewerOptions {
+    cli::InputOptions input;
+    cli::PictureOptions picture;
+    cli::LightOptions light;
+    cli::RunOptions run;
+    std::size_t width = 1024; ///< of the window or picture, pixels
+    std::size_t height = 768;
+    std::string technique; ///< empty: of the state; "all" in a fly-by
+    bool soft = false;
+    bool difference = false;
+    std::string state;  ///< a file to begin with
+    std::string flight; ///< a file with the poses of a flight
+    std::string render; ///< a picture to write, without a window
+    std::optional<std::size_t> flyby_frames;
+    std::string report; ///< a file for the figures of a fly-by
+    std::string frames; ///< a folder for its pictures
+    bool overwrite = false;
+};
+
+/// `options` must outlive `app`'s parsing.
+void add_viewer_options(CLI::App& app, ViewerOptions& options);
+
+/// Throws UsageError for options that do not go together.
+void require_consistent(const ViewerOptions& options);
+
+} // namespace duskline::viewer

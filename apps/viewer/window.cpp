@@ -1,0 +1,424 @@
+#include "window.h"
+
+#include "interruption.h"
+#include "panel.h"
+#include "raster_site.h"
+#include "scene.h"
+
+#include <duskline/geometry/invalid_input.h>
+#include <duskline/gl/context.h>
+#include <duskline/gl/framebuffer.h>
+#include <duskline/gl/read_back.h>
+#include <duskline/raster_io/write_picture.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+namespace duskline::viewer {
+namespace {
+
+constexpr double kIdleSeconds = 0.25;
+constexpr double kPosesPerSecond = 10.0; // of a recorded flight
+constexpr double kSmoothing = 0.1;       // of the figures
+
+std::string last_glfw_error()
+{
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text != nullptr ? text : "no reason given";
+}
+
+// A window with a context of OpenGL 4.3, current.
+class Window {
+public:
+    Window(std::size_t width, std::size_t height, const std::string& title)
+    {
+        if (glfwInit() != GLFW_TRUE)
+            throw UnsupportedOnThisMachine("no window can be opened: " + last_glfw_error()
+                                           + "; --render and --flyby need no display");
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_SAMPLES, 4);
+        window_ = glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr,
+                                   nullptr);
+        if (window_ == nullptr) {
+            const std::string reason = last_glfw_error();
+            glfwTerminate();
+            throw UnsupportedOnThisMachine("no window with OpenGL 4.3 can be opened: " + reason
+                                           + "; --render and --flyby can use Mesa's software renderer");
+        }
+        glfwMakeContextCurrent(window_);
+        glfwSwapInterval(1);
+        gl::current_context();
+    }
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+    ~Window()
+    {
+        glfwDestroyWindow(window_);
+        glfwTerminate();
+    }
+
+    GLFWwindow* handle() const { return window_; }
+
+    std::pair<std::size_t, std::size_t> size() const
+    {
+        int width = 0;
+        int height = 0;
+        glfwGetFramebufferSize(window_, &width, &height);
+        return {static_cast<std::size_t>(std::max(width, 1)), static_cast<std::size_t>(std::max(height, 1))};
+    }
+
+private:
+    GLFWwindow* window_ = nullptr;
+};
+
+class UserInterface {
+public:
+    explicit UserInterface(const Window& window)
+    {
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr; // leaves no files about
+        ImGui::StyleColorsDark();
+        ImGui::GetStyle().WindowRounding = 4.0f;
+        ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+        ImGui_ImplOpenGL3_Init("#version 430");
+    }
+    UserInterface(const UserInterface&) = delete;
+    UserInterface& operator=(const UserInterface&) = delete;
+    ~UserInterface()
+    {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+
+    static void begin()
+    {
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+    }
+    static void end()
+    {
+        ImGui::Render();
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    }
+};
+
+// NAME-0001.EXTENSION, the first that is not there.
+std::string free_name(const std::string& name, const std::string& extension)
+{
+    for (int i = 1;; ++i) {
+        std::string path = fmt::format("{}-{:04}{}", name, i, extension);
+        if (!std::filesystem::exists(path))
+            return path;
+    }
+}
+
+// One sitting before a window.
+class Sitting {
+public:
+    Sitting(const ViewerOptions& options, Window& window, const ViewedTerrain& viewed, const SunClock& clock,
+            const gl::ShaderSources& sources)
+        : window_(window), clock_(clock), scene_(viewed, clock, sources),
+          state_(first_state(options, viewed, clock))
+    {
+        if (!options.flight.empty())
+            activity_.flight = read_flight(options.flight);
+    }
+
+    void run()
+    {
+        while (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE) {
+            cli::stop_if_interrupted();
+            if (is_idle())
+                glfwWaitEventsTimeout(kIdleSeconds);
+            else
+                glfwPollEvents();
+            frame();
+        }
+    }
+
+private:
+    // Nothing moves by itself, and hands have been still for some frames.
+    bool is_idle()
+    {
+        const bool moves = activity_.clock_runs || activity_.replays || activity_.records;
+        const ImGuiIO& io = ImGui::GetIO();
+        const bool held =
+            ImGui::IsAnyMouseDown() || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
+        still_frames_ = moves || held ? 0 : still_frames_ + 1;
+        return still_frames_ > 3;
+    }
+
+    void frame()
+    {
+        UserInterface::begin();
+        const auto [width, height] = window_.size();
+        aspect_ = static_cast<double>(width) / static_cast<double>(height);
+        advance(static_cast<double>(ImGui::GetIO().DeltaTime));
+        take_keys();
+        take_mouse();
+        keep_camera_sensible();
+
+        gl::bind_window(width, height);
+        gl::clear_window();
+        note(scene_.cast(state_), scene_.draw(state_, width, height));
+        if (activity_.wants_screenshot)
+            save_screenshot(width, height);
+        do_wishes();
+        draw_panel(state_, activity_, clock_, figures_);
+        UserInterface::end();
+        glfwSwapBuffers(window_.handle());
+    }
+
+    void advance(double seconds)
+    {
+        if (activity_.clock_runs && state_.light.time) {
+            const std::chrono::duration<double> passed(seconds * state_.clock_s_per_s);
+            state_.light.time->utc += std::chrono::duration_cast<std::chrono::microseconds>(passed);
+            clock_.bring_up_to_date(state_.light);
+        }
+        if (activity_.replays && activity_.flight.poses.empty())
+            activity_.flight = usual_flight(scene_.field(), aspect_);
+        if (activity_.replays) {
+            state_.camera = pose_at(activity_.flight, activity_.replayed);
+            activity_.replayed += seconds * kPosesPerSecond
+                                  / std::max(1.0, static_cast<double>(activity_.flight.poses.size() - 1));
+            activity_.replays = activity_.replayed <= 1.0;
+        }
+        since_pose_s_ += seconds;
+        if (activity_.records && since_pose_s_ >= 1.0 / kPosesPerSecond) {
+            activity_.flight.poses.push_back(state_.camera);
+            since_pose_s_ = 0.0;
+        }
+    }
+
+    void take_keys()
+    {
+        const ImGuiIO& io = ImGui::GetIO();
+        if (io.WantCaptureKeyboard)
+            return;
+        const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
+        if (pressed(GLFW_KEY_ESCAPE))
+            glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+        if (pressed(GLFW_KEY_TAB))
+            next_technique();
+        if (pressed(GLFW_KEY_X))
+            state_.difference = !state_.difference;
+        if (pressed(GLFW_KEY_SPACE))
+            activity_.clock_runs = !activity_.clock_runs;
+        if (pressed(GLFW_KEY_F1))
+            activity_.help = !activity_.help;
+        if (pressed(GLFW_KEY_F10))
+            activity_.panel = !activity_.panel;
+        if (pressed(GLFW_KEY_F5))
+            reload_shaders();
+        if (pressed(GLFW_KEY_R))
+            toggle_recording();
+        activity_.wants_state_saved = activity_.wants_state_saved || pressed(GLFW_KEY_F2);
+        activity_.wants_screenshot = activity_.wants_screenshot || pressed(GLFW_KEY_F12);
+        activity_.wants_overview = activity_.wants_overview || pressed(GLFW_KEY_HOME);
+        fly(io);
+    }
+
+    void toggle_recording()
+    {
+        activity_.records = !activity_.records;
+        if (activity_.records)
+            activity_.flight.poses.clear();
+    }
+
+    // Faster the higher up.
+    void fly(const ImGuiIO& io)
+    {
+        const auto along = [](int forwards, int backwards) {
+            return (ImGui::IsKeyDown(forwards) ? 1.0 : 0.0) - (ImGui::IsKeyDown(backwards) ? 1.0 : 0.0);
+        };
+        const double right = along(GLFW_KEY_D, GLFW_KEY_A);
+        const double ahead = along(GLFW_KEY_W, GLFW_KEY_S);
+        const double up = along(GLFW_KEY_E, GLFW_KEY_Q);
+        if (right == 0.0 && ahead == 0.0 && up == 0.0)
+            return;
+        const double cell_m = scene_.field().cell_size_m.x;
+        const double height_m =
+            std::max(10.0 * cell_m, clearance_m(state_.camera.position_m, scene_.field()));
+        const double step_m = height_m * static_cast<double>(io.DeltaTime) * (io.KeyShift ? 3.0 : 0.8);
+        state_.camera = flown(state_.camera, right * step_m, ahead * step_m, up * step_m);
+        activity_.replays = false;
+    }
+
+    Vector3 under_pointer() const
+    {
+        const ImGuiIO& io = ImGui::GetIO();
+        const double right = 2.0 * static_cast<double>(io.MousePos.x / io.DisplaySize.x) - 1.0;
+        const double up = 1.0 - 2.0 * static_cast<double>(io.MousePos.y / io.DisplaySize.y);
+        return picked_m(state_.camera, aspect_, right, up, scene_.field());
+    }
+
+    void take_mouse()
+    {
+        const ImGuiIO& io = ImGui::GetIO();
+        if (io.WantCaptureMouse)
+            return;
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle))
+            pivot_m_ = under_pointer();
+        if (io.MouseWheel != 0.0f)
+            state_.camera = approached(state_.camera, under_pointer(),
+                                       std::pow(0.85, static_cast<double>(io.MouseWheel)));
+        const double right_px = static_cast<double>(io.MouseDelta.x);
+        const double down_px = static_cast<double>(io.MouseDelta.y);
+        if (right_px == 0.0 && down_px == 0.0)
+            return;
+        const double height_px = static_cast<double>(io.DisplaySize.y);
+        const double degrees = 0.25;
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left) && io.KeyShift)
+            state_.light = dragged(state_.light, right_px, -down_px, height_px);
+        else if (ImGui::IsMouseDown(ImGuiMouseButton_Left))
+            state_.camera = orbited(state_.camera, pivot_m_, Angle::from_degrees(degrees * right_px),
+                                    Angle::from_degrees(-degrees * down_px));
+        else if (ImGui::IsMouseDown(ImGuiMouseButton_Right))
+            state_.camera = turned(state_.camera, Angle::from_degrees(0.5 * degrees * right_px),
+                                   Angle::from_degrees(-0.5 * degrees * down_px));
+        else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle))
+            shift(right_px, down_px, height_px);
+    }
+
+    // What was clicked on stays under the pointer.
+    void shift(double right_px, double down_px, double height_px)
+    {
+        const CameraAxes axes = axes_of(state_.camera);
+        const double ahead_m = dot(pivot_m_ - state_.camera.position_m, axes.forward);
+        const double metre_per_pixel = std::abs(ahead_m) / pixels_per_radian(state_.camera, height_px);
+        state_.camera.position_m = state_.camera.position_m + axes.right * (-right_px * metre_per_pixel)
+                                   + axes.up * (down_px * metre_per_pixel);
+    }
+
+    void keep_camera_sensible()
+    {
+        const double cell_m = std::max(scene_.field().cell_size_m.x, scene_.field().cell_size_m.y);
+        state_.camera = kept_above_ground(state_.camera, scene_.field(), 0.5 * cell_m);
+    }
+
+    void next_technique()
+    {
+        const auto kinds = gl::shadow_techniques();
+        const auto found = std::ranges::find(kinds, state_.technique, &gl::ShadowTechniqueKind::name);
+        const auto next = static_cast<std::size_t>(found - kinds.begin() + 1) % kinds.size();
+        state_.technique = kinds[next].name;
+        activity_.message = "Shadows: " + state_.technique;
+    }
+
+    void note(const FrameCost& cast, const FrameCost& drawn)
+    {
+        const auto smooth = [](double& figure, double value) { figure += kSmoothing * (value - figure); };
+        smooth(figures_.frame_ms, 1000.0 * static_cast<double>(ImGui::GetIO().DeltaTime));
+        if (cast.cast_ms > 0.0)
+            figures_.cast_ms = cast.cast_ms;
+        figures_.cast_gpu_ms = cast.cast_gpu_ms.value_or(figures_.cast_gpu_ms);
+        figures_.draw_gpu_ms = drawn.draw_gpu_ms.value_or(figures_.draw_gpu_ms);
+        figures_.mesh = drawn.mesh;
+    }
+
+    // What cannot be done is said in the panel; the window stays.
+    template <typename Work>
+    void attempt(const Work& work)
+    {
+        try {
+            activity_.message = work();
+        } catch (const std::exception& error) {
+            activity_.message = error.what();
+        }
+    }
+
+    void save_screenshot(std::size_t width, std::size_t height)
+    {
+        activity_.wants_screenshot = false;
+        attempt([&] {
+            const std::string path = free_name("duskline", ".png");
+            Picture picture = gl::read_back_picture(width, height);
+            for (Rgba8& pixel : picture.values())
+                pixel[3] = 255;
+            write_picture(path, picture.view());
+            return "Written: " + path;
+        });
+    }
+
+    void do_wishes()
+    {
+        if (activity_.wants_state_saved)
+            attempt([&] {
+                const std::string path = free_name("duskline-state", ".json");
+                write_state(path, state_);
+                return "Written: " + path + " (for --state)";
+            });
+        if (activity_.wants_flight_saved)
+            attempt([&] {
+                const std::string path = free_name("duskline-flight", ".json");
+                write_flight(path, activity_.flight);
+                return "Written: " + path + " (for --flight)";
+            });
+        if (activity_.wants_count)
+            attempt([&] {
+                activity_.counted = mask_difference(scene_.true_mask(), scene_.lit_mask());
+                return std::string();
+            });
+        if (activity_.wants_overview)
+            state_.camera = overview(scene_.field(), aspect_);
+        activity_.wants_state_saved = false;
+        activity_.wants_flight_saved = false;
+        activity_.wants_count = false;
+        activity_.wants_overview = false;
+    }
+
+    void reload_shaders()
+    {
+        attempt([&] {
+            return std::string(scene_.reload_shaders() ? "Shaders read anew" : "No shader has changed");
+        });
+    }
+
+    Window& window_;
+    const SunClock& clock_;
+    Scene scene_;
+    ViewerState state_;
+    Activity activity_;
+    FrameFigures figures_;
+    Vector3 pivot_m_;
+    double aspect_ = 1.0;
+    double since_pose_s_ = 0.0;
+    int still_frames_ = 0;
+};
+
+gl::ShaderSources shader_sources()
+{
+    const char* folder = std::getenv("DUSKLINE_SHADER_DIR"); // NOLINT(concurrency-mt-unsafe)
+    return folder != nullptr ? gl::ShaderSources(folder) : gl::ShaderSources();
+}
+
+} // namespace
+
+void show_window(const ViewerOptions& options, cli::Report& report)
+{
+    Window window(options.width, options.height, "Duskline: " + options.input.path);
+    const ViewedTerrain viewed = read_viewed_terrain(options, report);
+    const SunClock clock(cli::light_site(viewed.file.ground()), options.light.sun,
+                         options.light.sun_size_deg);
+    const gl::ShaderSources sources = shader_sources();
+    const UserInterface user_interface(window);
+    Sitting sitting(options, window, viewed, clock, sources);
+    sitting.run();
+}
+
+} // namespace duskline::viewer

@@ -1,0 +1,178 @@
+// Runs the real duskline-viewer without a window.
+
+#include "cli/raster_run.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace duskline::viewer_test {
+namespace {
+
+using cli_test::Arguments;
+using cli_test::Finished;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Viewer : public cli_test::RasterRun {
+protected:
+    void SetUp() override
+    {
+        make(hills(120, 150));
+        const Finished trial = run({"dem.tif", "--render", "trial.png", "--size", "32x32"});
+        if (trial.exit_code == 5)
+            GTEST_SKIP() << trial.err;
+        ASSERT_EQ(trial.exit_code, 0) << trial.err;
+    }
+
+    std::vector<float> rendered(const std::string& name, const Arguments& options = {})
+    {
+        Arguments arguments = {"dem.tif", "--render", name, "--size", "160x120"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Finished finished = run(arguments);
+        EXPECT_EQ(finished.exit_code, 0) << finished.err;
+        return read(name).values;
+    }
+
+    void expect_error(const Arguments& arguments, int exit_code, const std::string& says)
+    {
+        const Finished finished = run(arguments);
+        EXPECT_EQ(finished.exit_code, exit_code) << finished.err;
+        EXPECT_THAT(finished.err, StartsWith("duskline-viewer: "));
+        EXPECT_THAT(finished.err, HasSubstr(says));
+        EXPECT_EQ(std::ranges::count(finished.err, '\n'), 1) << finished.err;
+    }
+};
+
+TEST_F(Viewer, RendersWithoutAWindowTheSamePictureTwice)
+{
+    const auto picture = rendered("a.png");
+    EXPECT_EQ(picture.size(), 160U * 120U);
+    EXPECT_GT(std::set<float>(picture.begin(), picture.end()).size(), 30U);
+    EXPECT_EQ(picture, rendered("b.png"));
+}
+
+TEST_F(Viewer, ShowsShadowsOfTheTechniqueAsked)
+{
+    const Arguments low = {"--altitude", "4", "--azimuth", "200"};
+    const auto with = [&](const std::string& technique) {
+        Arguments options = low;
+        options.insert(options.end(), {"--technique", technique});
+        return rendered(technique + ".png", options);
+    };
+    const auto brightness = [](const std::vector<float>& picture) {
+        double sum = 0.0;
+        for (const float value : picture)
+            sum += static_cast<double>(value);
+        return sum / static_cast<double>(picture.size());
+    };
+    const double lit = brightness(with("none"));
+    EXPECT_GT(lit, brightness(with("exact")) + 5.0);
+    EXPECT_NEAR(brightness(with("sweep")), brightness(with("exact")), 3.0);
+}
+
+TEST_F(Viewer, BeginsWithASavedStateAndOptionsGoBefore)
+{
+    write_file("state.json",
+               R"({"camera": {"east_m": 700, "north_m": -1500, "height_m": 900, "pitch_deg": -30},
+                                 "light": {"azimuth_deg": 90, "altitude_deg": 10}, "technique": "none"})");
+    const auto from_state = rendered("state.png", {"--state", "state.json"});
+    EXPECT_NE(from_state,
+              rendered("overview.png", {"--azimuth", "90", "--altitude", "10", "--technique", "none"}));
+    EXPECT_NE(from_state, rendered("other.png", {"--state", "state.json", "--azimuth", "270"}));
+    EXPECT_EQ(from_state, rendered("same.png", {"--state", "state.json", "--azimuth", "90"}));
+}
+
+TEST_F(Viewer, RefusesStatesThatAreWrongAndSaysWhere)
+{
+    write_file("broken.json", "{\"camera\": ");
+    expect_error({"dem.tif", "--render", "p.png", "--state", "broken.json"}, 3, "'broken.json' is no JSON");
+    write_file("pitch.json", R"({"camera": {"pitch_deg": 120}})");
+    expect_error({"dem.tif", "--render", "p.png", "--state", "pitch.json"}, 3,
+                 "camera: 'pitch_deg' must be a number from -90 to 90, got 120");
+    write_file("technique.json", R"({"technique": "magic"})");
+    expect_error({"dem.tif", "--render", "p.png", "--state", "technique.json"}, 3, "there are: none, exact");
+    write_file("time.json", R"({"light": {"time": "noon"}})");
+    expect_error({"dem.tif", "--render", "p.png", "--state", "time.json"}, 3, "'time'");
+    expect_error({"dem.tif", "--render", "p.png", "--state", "missing.json"}, 3, "cannot be read");
+}
+
+TEST_F(Viewer, RefusesOptionsThatDoNotGoTogether)
+{
+    expect_error({"dem.tif", "--technique", "magic"}, 2, "there are: none, exact");
+    expect_error({"dem.tif", "--technique", "all"}, 2, "--flyby");
+    expect_error({"dem.tif", "--render", "p.png", "--flyby", "5"}, 2, "not both");
+    expect_error({"dem.tif", "--report", "r.json"}, 2, "--flyby");
+    expect_error({"dem.tif", "--render", "p.png", "--size", "100"}, 2, "--size must be");
+    expect_error({"dem.tif", "--render", "p.png", "--size", "100x99999"}, 2, "at most");
+    expect_error({"dem.tif", "--nonsense"}, 2, "no option is called '--nonsense'");
+    expect_error({"missing.tif", "--render", "p.png"}, 3, "missing.tif");
+    expect_error({"dem.tif", "--render", "trial.png"}, 4, "--overwrite");
+    expect_error({"dem.tif", "--render", "p.nothing"}, 2, "p.nothing");
+}
+
+TEST_F(Viewer, SaysWhatToDoWithoutADisplay)
+{
+    const Finished finished =
+        run_program({"sh", "-c", "unset DISPLAY WAYLAND_DISPLAY; exec \"$DUSKLINE\" dem.tif"});
+    EXPECT_EQ(finished.exit_code, 5);
+    EXPECT_THAT(finished.err, HasSubstr("--render and --flyby need no display"));
+}
+
+TEST_F(Viewer, ReportsAFlightWithEveryTechnique)
+{
+    const Finished finished = run({"dem.tif", "--flyby", "4", "--technique", "all", "--size", "64x48",
+                                   "--altitude", "8", "--report", "report.json"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    const auto report = nlohmann::json::parse(read_file("report.json"));
+    EXPECT_EQ(report["frames"], 4);
+    EXPECT_EQ(report["rows"], 120);
+    ASSERT_GE(report["flights"].size(), 5U);
+    for (const auto& flight : report["flights"]) {
+        const std::string technique = flight["technique"];
+        EXPECT_GT(flight["fps"]["least"].get<double>(), 0.0);
+        EXPECT_LE(flight["fps"]["least"], flight["fps"]["mean"]);
+        EXPECT_LE(flight["fps"]["mean"], flight["fps"]["most"]);
+        EXPECT_THAT(finished.out, HasSubstr(technique));
+        const double wrong = flight["wrong_share"];
+        if (technique == "exact")
+            EXPECT_EQ(wrong, 0.0);
+        else if (technique == "none")
+            EXPECT_GT(wrong, 0.01);
+        else
+            EXPECT_LT(wrong, 0.05) << technique;
+        if (flight["light_at_rest"])
+            EXPECT_EQ(flight["mean_cast_ms"], 0.0);
+    }
+}
+
+TEST_F(Viewer, FliesAlongARecordedPathAndWritesItsPictures)
+{
+    write_file("flight.json",
+               R"({"poses": [{"east_m": 100, "north_m": -1000, "height_m": 900, "pitch_deg": -40},
+                                            {"east_m": 900, "north_m": -1000, "height_m": 900, "pitch_deg": -40}]})");
+    const Finished finished = run({"dem.tif", "--flyby", "3", "--flight", "flight.json", "--size", "64x48",
+                                   "--frames", ".", "--technique", "exact", "--quiet"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_EQ(finished.out, "");
+    const auto first = read("exact_still_0000.png").values;
+    EXPECT_NE(first, read("exact_still_0002.png").values);
+    EXPECT_EQ(first, read("exact_0000.png").values);
+    expect_error({"dem.tif", "--flyby", "3", "--frames", "nowhere"}, 4, "no folder 'nowhere'");
+    write_file("empty.json", R"({"poses": []})");
+    expect_error({"dem.tif", "--flyby", "3", "--flight", "empty.json"}, 3, "at least one camera");
+}
+
+TEST_F(Viewer, ExplainsItself)
+{
+    const Finished help = run({"--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_THAT(help.out, StartsWith("duskline-viewer: "));
+    EXPECT_THAT(help.out, HasSubstr("--flyby FRAMES"));
+    EXPECT_THAT(run({"--version"}).out, StartsWith("duskline-viewer "));
+}
+
+} // namespace
+} // namespace duskline::viewer_test
