@@ -2,7 +2,7 @@
 # Installs the Debian packages that Duskline needs and that are missing, as root or with sudo.
 #
 # usage: tools/install_dependencies.sh [GROUP...]
-#   build   to build the libraries and the command
+#   build   to build the libraries and the programs
 #   run     to run what uses OpenGL without a graphics card's own driver, too: Mesa's
 #   test    to build and run the tests and benchmarks besides
 #   check   to check format and names besides (clang-format and clang-tidy)
@@ -10,10 +10,10 @@
 set -euo pipefail
 
 build=(g++ make cmake ninja-build pkg-config libtbb-dev libhwy-dev libgdal-dev liberfa-dev libcli11-dev
-       libfmt-dev nlohmann-json3-dev libepoxy-dev libegl-dev)
+       libfmt-dev nlohmann-json3-dev libepoxy-dev libegl-dev libglfw3-dev libimgui-dev libstb-dev)
 run=(libegl1 libgl1-mesa-dri libopengl0)
 test=(git python3 groff-base libgtest-dev libgmock-dev libbenchmark-dev gdal-bin proj-bin clang-format
-      glslang-tools libglm-dev)
+      glslang-tools libglm-dev xvfb xauth xdotool)
 check=(clang clang-format clang-tidy)
 
 stop() {

@@ -154,8 +154,7 @@ void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, c
     if (!activity.panel)
         return;
     ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({kWidth, 0.0f}, ImGuiCond_FirstUseEver);
-    ImGui::Begin("Duskline");
+    ImGui::Begin("Duskline", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PushItemWidth(0.6f * kWidth);
     draw_figures(figures);
     if (ImGui::CollapsingHeader("Light", ImGuiTreeNodeFlags_DefaultOpen))
@@ -174,8 +173,10 @@ void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, c
     ImGui::SameLine();
     if (ImGui::Button("Keys"))
         activity.help = !activity.help;
+    ImGui::PushTextWrapPos(kWidth);
     if (!activity.message.empty())
-        ImGui::TextWrapped("%s", activity.message.c_str());
+        text(activity.message);
+    ImGui::PopTextWrapPos();
     ImGui::PopItemWidth();
     ImGui::End();
 }

@@ -146,7 +146,7 @@ void read_light(const Reader& reader, ViewerLight& light)
 
 std::string technique_of(const Reader& reader, const std::string& otherwise)
 {
-    const std::string name = reader.text("technique").value_or(otherwise);
+    std::string name = reader.text("technique").value_or(otherwise);
     try {
         gl::shadow_technique_named(name);
     } catch (const InvalidInput& error) {

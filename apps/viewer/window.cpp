@@ -4,6 +4,7 @@
 #include "panel.h"
 #include "raster_site.h"
 #include "scene.h"
+#include "stopwatch.h"
 
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/context.h>
@@ -164,6 +165,16 @@ private:
 
     void frame()
     {
+        double seconds = 0.0;
+        {
+            const cli::Stopwatch watch(seconds);
+            draw_frame();
+        }
+        smooth(figures_.frame_ms, 1000.0 * seconds);
+    }
+
+    void draw_frame()
+    {
         UserInterface::begin();
         const auto [width, height] = window_.size();
         aspect_ = static_cast<double>(width) / static_cast<double>(height);
@@ -174,7 +185,8 @@ private:
 
         gl::bind_window(width, height);
         gl::clear_window();
-        note(scene_.cast(state_), scene_.draw(state_, width, height));
+        const FrameCost cast = scene_.cast(state_);
+        note(cast, scene_.draw(state_, width, height));
         if (activity_.wants_screenshot)
             save_screenshot(width, height);
         do_wishes();
@@ -320,10 +332,10 @@ private:
         activity_.message = "Shadows: " + state_.technique;
     }
 
+    static void smooth(double& figure, double value) { figure += kSmoothing * (value - figure); }
+
     void note(const FrameCost& cast, const FrameCost& drawn)
     {
-        const auto smooth = [](double& figure, double value) { figure += kSmoothing * (value - figure); };
-        smooth(figures_.frame_ms, 1000.0 * static_cast<double>(ImGui::GetIO().DeltaTime));
         if (cast.cast_ms > 0.0)
             figures_.cast_ms = cast.cast_ms;
         figures_.cast_gpu_ms = cast.cast_gpu_ms.value_or(figures_.cast_gpu_ms);

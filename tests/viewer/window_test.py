@@ -114,6 +114,15 @@ def use(display, viewer, folder):
     assert code == 0, f"left with {code}"
 
 
+def look(program, display, folder):
+    viewer = subprocess.Popen([program, "hill.asc", "--size", "640x480"], cwd=folder, env=display.environment)
+    try:
+        use(display, viewer, folder)
+    finally:
+        viewer.kill()
+        viewer.wait()
+
+
 def main(program):
     for needed in ("Xvfb", "xdotool"):
         if not shutil.which(needed):
@@ -123,15 +132,12 @@ def main(program):
         folder = pathlib.Path(name)
         write_hill(folder / "hill.asc")
         display = Display()
-        viewer = subprocess.Popen([program, "hill.asc", "--size", "640x480"], cwd=folder, env=display.environment)
         try:
-            use(display, viewer, folder)
+            look(program, display, folder)
         finally:
-            viewer.kill()
-            viewer.wait()
             display.close()
     print("the sun was dragged, the technique changed, a picture taken")
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main(os.path.abspath(sys.argv[1]))
