@@ -15,7 +15,6 @@ ExactUpload::ExactUpload(const TerrainTextures& terrain)
     : shadows_(terrain.field()), bytes_(terrain.field().rows(), terrain.field().columns(), 255),
       texture_(TextureFormat::r8, terrain.field().columns(), terrain.field().rows())
 {
-    texture_.set_filter(Texture::Filter::linear);
     texture_.upload(bytes_);
 }
 

@@ -2,9 +2,11 @@
 #include <duskline/gl/exact_upload.h>
 #include <duskline/gl/shadow_sweep.h>
 #include <duskline/gl/shadow_technique.h>
+#include <duskline/gl/silhouette_passes.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 namespace duskline::gl {
@@ -45,6 +47,62 @@ private:
     const Texture* texture_ = nullptr;
 };
 
+// The silhouette map, built anew for every light, and every cell looked up in it; or every line scanned without it.
+class SilhouetteShadows : public ShadowTechnique {
+public:
+    enum class Scan { map, full };
+
+    SilhouetteShadows(const ShaderSources& sources, const TerrainTextures& terrain, NextVSearch search,
+                      Scan scan)
+        : terrain_(terrain), passes_(sources, {.search = search}), scan_(scan),
+          greatest_m_(greatest_height_m())
+    {}
+
+    void cast(const DirectionalLight& light) override
+    {
+        light_ = light;
+        if (scan_ == Scan::full)
+            passes_.set_light(terrain_.heights(), terrain_.field().cell_size_m, light, greatest_m_);
+        else
+            passes_.build(terrain_.heights(), terrain_.field().cell_size_m, light, greatest_m_);
+        mask_ = scan_ == Scan::full ? &passes_.mask_by_full_scan() : &passes_.mask();
+    }
+    void heights_changed(const CellRectangle&) override
+    {
+        greatest_m_ = greatest_height_m();
+        cast(light_);
+    }
+    TerrainShadow shadow() const override
+    {
+        return mask_ != nullptr ? TerrainShadow{ShadowLookup::mask, mask_} : TerrainShadow{};
+    }
+
+private:
+    float greatest_height_m() const
+    {
+        const HeightRange range = height_range(terrain_.field());
+        return range.lowest_m <= range.highest_m
+                   ? std::max(std::abs(range.lowest_m), std::abs(range.highest_m))
+                   : 0.0f;
+    }
+
+    const TerrainTextures& terrain_;
+    SilhouettePasses passes_;
+    Scan scan_;
+    float greatest_m_;
+    DirectionalLight light_;
+    const Texture* mask_ = nullptr;
+};
+
+template <NextVSearch kSearch, SilhouetteShadows::Scan kScan = SilhouetteShadows::Scan::map>
+std::unique_ptr<ShadowTechnique> make_silhouette_shadows(const ShaderSources& sources,
+                                                         const TerrainTextures& terrain, bool)
+{
+    return std::make_unique<SilhouetteShadows>(sources, terrain, kSearch, kScan);
+}
+
+constexpr auto kSilhouetteSource = "Sakalauskas, Hybrid Terrain Shadow Ray Casting, WSCG 2008";
+
 constexpr std::array kTechniques = {
     ShadowTechniqueKind{"none", "no shadows: what everything else costs", "", false,
                         [](const ShaderSources&, const TerrainTextures&, bool)
@@ -60,6 +118,14 @@ constexpr std::array kTechniques = {
                            bool soft) -> std::unique_ptr<ShadowTechnique> {
                             return std::make_unique<SweptShadows>(sources, terrain, soft);
                         }},
+    ShadowTechniqueKind{"full-scan", "every line on the way to the light, for every cell", kSilhouetteSource,
+                        false, make_silhouette_shadows<NextVSearch::binary, SilhouetteShadows::Scan::full>},
+    ShadowTechniqueKind{"smap-binary", "silhouette map, binary search", kSilhouetteSource, false,
+                        make_silhouette_shadows<NextVSearch::binary>},
+    ShadowTechniqueKind{"smap-quad", "silhouette map, quad search", kSilhouetteSource, false,
+                        make_silhouette_shadows<NextVSearch::quad>},
+    ShadowTechniqueKind{"smap-parallel", "silhouette map, quad search of four lines at a time",
+                        kSilhouetteSource, false, make_silhouette_shadows<NextVSearch::parallel_quad>},
 };
 
 } // namespace

@@ -141,8 +141,8 @@ void SilhouettePasses::State::run(const Program& program)
     texels->written();
 }
 
-void SilhouettePasses::build(const Texture& heights, CellSize cell_size_m, const DirectionalLight& light,
-                             float greatest_m)
+void SilhouettePasses::set_light(const Texture& heights, CellSize cell_size_m, const DirectionalLight& light,
+                                 float greatest_m)
 {
     require_valid(HeightField{{}, cell_size_m});
     require_valid(light);
@@ -163,6 +163,16 @@ void SilhouettePasses::build(const Texture& heights, CellSize cell_size_m, const
     // Beams that enter on the second to fourth line of a texel were outside on the first.
     const auto lanes = static_cast<std::size_t>(lanes_of(s.options));
     s.margin = s.frame.lateral > 0.0 ? static_cast<int>(lanes) - 1 : 0;
+}
+
+void SilhouettePasses::build(const Texture& heights, CellSize cell_size_m, const DirectionalLight& light,
+                             float greatest_m)
+{
+    set_light(heights, cell_size_m, light, greatest_m);
+    State& s = *state_;
+    if (s.uniform)
+        return;
+    const auto lanes = static_cast<std::size_t>(lanes_of(s.options));
     const std::size_t width = s.cells + 1 + (lanes - 1);
     const std::size_t height = (s.line_count + lanes - 1) / lanes;
     if (!s.texels || s.texels->newer().width() != width || s.texels->newer().height() != height) {

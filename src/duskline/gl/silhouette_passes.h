@@ -29,6 +29,11 @@ public:
     /// Cost: O(cells log lines).
     void build(const Texture& heights, CellSize cell_size_m, const DirectionalLight& light, float greatest_m);
 
+    /// Only what mask_by_full_scan needs, for the same arguments: no map, and texels() is of no meaning until the next
+    /// build.
+    void set_light(const Texture& heights, CellSize cell_size_m, const DirectionalLight& light,
+                   float greatest_m);
+
     /// What was built last: the bits of SilhouetteMap::texels() with the same options, where the card rounds as IEEE 754
     /// wants. For NextVSearch::parallel_quad four lines of a beam lie in one texel of rgba32i, else it is r32i: see
     /// shaders/smap_texels.glsl. Nothing for a light at or below the horizon or straight overhead.

@@ -1,5 +1,6 @@
 #include <duskline/gl/framebuffer.h>
 #include <duskline/gl/read_back.h>
+#include <duskline/gl/screen_pass.h>
 #include <duskline/gl/terrain_renderer.h>
 
 #include <epoxy/gl.h>
@@ -243,12 +244,9 @@ ShadowMask TerrainRenderer::lit_mask(const TerrainShadow& shadow)
     const HeightField& field = terrain_.field();
     const Texture answers(TextureFormat::r8, field.columns(), field.rows());
     const Framebuffer framebuffer({&answers});
-    framebuffer.bind();
     const Program& program = mask_program(shadow.lookup);
-    program.use();
     set_lookup(program, shadow, 1.0);
-    glDisable(GL_DEPTH_TEST);
-    no_vertices_.draw(VertexArray::Shape::triangles, 0, 3);
+    ScreenPass().draw(program, framebuffer);
     const Grid<std::uint8_t> bytes = read_back<std::uint8_t>(answers);
     ShadowMask mask(field.rows(), field.columns());
     for (std::size_t row = 0; row < field.rows(); ++row)

@@ -17,11 +17,13 @@ float held(float x)
 }
 
 // How far the ground at a cell lies above its shadow: 1 or more far above, -1 far below. Only what a shadow loses over
-// a cell counts, so that between cells it changes sign where the edge is.
+// a cell counts, so that between cells it changes sign where the edge is. Of a mask its answer, 1 or -1.
 float clearance(ivec2 at)
 {
     float height_m = texelFetch(heights_m, at, 0).r;
-#if SHADOW_LOOKUP == 3
+#if SHADOW_LOOKUP == 1
+    return 2.0 * texelFetch(shadow, at, 0).r - 1.0;
+#elif SHADOW_LOOKUP == 3
     vec2 limbs_m = texelFetch(shadow, at, 0).rg;
     if (isinf(limbs_m.g) || isinf(limbs_m.r) || !(limbs_m.g - limbs_m.r > 1e-3 * shadow_drop_m))
         return height_m >= limbs_m.g ? 1.0 : -1.0;
@@ -63,11 +65,7 @@ float lit_at(vec2 cell, float width)
 {
 #if SHADOW_LOOKUP == 0
     return 1.0;
-#elif SHADOW_LOOKUP == 1
-    float lit = texture(shadow, (cell + 0.5) / vec2(textureSize(shadow, 0))).r;
-    float soft = clamp(0.5 * width, 0.02, 0.5);
-    return smoothstep(0.5 - soft, 0.5 + soft, lit);
-#elif SHADOW_LOOKUP == 2
+#elif SHADOW_LOOKUP != 3
     float soft = clamp(width, 0.02, 1.0);
     return smoothstep(-soft, soft, clearance_between(cell));
 #else
