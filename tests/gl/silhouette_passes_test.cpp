@@ -140,6 +140,7 @@ TEST_F(SilhouettePassesTest, AnswerForLightUnderTheHorizonAndStraightOverhead)
 TEST_F(SilhouettePassesTest, RefuseValuesOutOfRangeInWords)
 {
     SilhouettePasses passes{ShaderSources()};
+    EXPECT_THROW(passes.mask(), InvalidInput); // nothing built yet
     const Texture heights(TextureFormat::r32f, 4, 4);
     EXPECT_THROW(passes.build(heights, {.x = 0.0, .y = 1.0}, {}, 1.0f), InvalidInput);
     EXPECT_THROW(passes.build(heights, {}, {.altitude = 91_deg}, 1.0f), InvalidInput);

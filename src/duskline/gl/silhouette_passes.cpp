@@ -240,6 +240,8 @@ std::vector<ShaderDefine> SilhouettePasses::look_up_defines() const
 void SilhouettePasses::bind(const Program& program) const
 {
     const State& s = *state_;
+    if (s.heights == nullptr)
+        throw InvalidInput("a silhouette map must be built before it is looked up");
     s.heights->bind(0);
     if (s.texels)
         s.texels->newer().bind(1);
