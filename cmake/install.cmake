@@ -42,7 +42,7 @@ if(TARGET duskline_raster_io)
     EXPORT_NAME raster_io
     DESCRIPTION "Elevation files for Duskline, read and written with GDAL"
     REQUIRES "duskline = ${PROJECT_VERSION}"
-    DEPENDENCIES gdal)
+    DEPENDENCIES gdal libwebpmux libwebp)
 endif()
 
 if(TARGET duskline_gl)

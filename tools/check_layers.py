@@ -32,6 +32,7 @@ EXTERNAL = {
     r"hwy/": "src/duskline/casting/kernels",
     r"erfa": "src/duskline/light",
     r"(gdal|ogr|cpl|vrt|proj)[\w]*\.h": "src/duskline/raster_io",
+    r"webp/": "src/duskline/raster_io",
     r"epoxy/|GL/|EGL/|GLES": ("src/duskline/gl", "examples"),
     r"CLI/|nlohmann/|fmt/": "apps",
     r"GLFW/|imgui": "apps/viewer",

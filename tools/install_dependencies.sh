@@ -9,8 +9,8 @@
 # Without a group: build, run and test.
 set -euo pipefail
 
-build=(g++ make cmake ninja-build pkg-config libtbb-dev libhwy-dev libgdal-dev liberfa-dev libcli11-dev
-       libfmt-dev nlohmann-json3-dev libepoxy-dev libegl-dev libglfw3-dev libimgui-dev libstb-dev)
+build=(g++ make cmake ninja-build pkg-config libtbb-dev libhwy-dev libgdal-dev libwebp-dev liberfa-dev
+       libcli11-dev libfmt-dev nlohmann-json3-dev libepoxy-dev libegl-dev libglfw3-dev libimgui-dev libstb-dev)
 run=(libegl1 libgl1-mesa-dri libopengl0)
 test=(git python3 groff-base libgtest-dev libgmock-dev libbenchmark-dev gdal-bin proj-bin clang-format
       glslang-tools libglm-dev xvfb xauth xdotool)

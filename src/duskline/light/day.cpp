@@ -1,4 +1,5 @@
 #include <duskline/light/day.h>
+#include <duskline/light/sun_course.h>
 
 #include <cmath>
 #include <vector>
@@ -11,7 +12,6 @@ using std::chrono::microseconds;
 using std::chrono::minutes;
 
 constexpr microseconds kMeanDay = hours(24);
-constexpr microseconds kStep = minutes(15);
 
 // When the sun crosses the place's meridian, nearest to `guess`.
 UtcTime solar_noon(UtcTime guess, const Place& place, const SunOptions& options)
@@ -29,66 +29,23 @@ UtcTime solar_noon(UtcTime guess, const Place& place, const SunOptions& options)
     return noon;
 }
 
-class Horizon {
-public:
-    Horizon(const Place& place, const SunOptions& options) : place_(place), options_(options)
-    {
-        options_.air.reset();
-    }
-
-    bool is_above(UtcTime time) const
-    {
-        return sun_position(time, place_, options_).geometric_altitude > kSunriseAltitude;
-    }
-
-    // When the sun crosses between two moments on different sides of the horizon.
-    UtcTime crossing(UtcTime from, UtcTime to) const
-    {
-        const bool above_at_first = is_above(from);
-        while (to - from > std::chrono::milliseconds(1)) {
-            const UtcTime middle = from + (to - from) / 2;
-            (is_above(middle) == above_at_first ? from : to) = middle;
-        }
-        return to;
-    }
-
-private:
-    Place place_;
-    SunOptions options_;
-};
-
 // One change from night to day or back.
 struct Crossing {
     UtcTime time;
     bool rises;
 };
 
-struct Course {
-    std::vector<Crossing> crossings;
-    bool starts_above;
-    microseconds above{0};
-};
-
-Course course_around(UtcTime noon, const Horizon& horizon)
+// Sunrises and sunsets in the order they come.
+std::vector<Crossing> crossings_of(const std::vector<TimeSpan>& light, const TimeSpan& whole)
 {
-    const UtcTime first = noon - kMeanDay / 2;
-    const UtcTime last = noon + kMeanDay / 2;
-    Course course{.crossings = {}, .starts_above = horizon.is_above(first)};
-    bool above = course.starts_above;
-    UtcTime since = first;
-    for (UtcTime time = first + kStep; time <= last; time += kStep) {
-        if (horizon.is_above(time) == above)
-            continue;
-        const UtcTime change = horizon.crossing(time - kStep, time);
-        if (above)
-            course.above += change - since;
-        above = !above;
-        since = change;
-        course.crossings.push_back({change, above});
+    std::vector<Crossing> crossings;
+    for (const TimeSpan& span : light) {
+        if (span.from != whole.from)
+            crossings.push_back({span.from, true});
+        if (span.to != whole.to)
+            crossings.push_back({span.to, false});
     }
-    if (above)
-        course.above += last - since;
-    return course;
+    return crossings;
 }
 
 } // namespace
@@ -101,15 +58,20 @@ SunDay sun_day(CalendarDate date, minutes utc_offset, const Place& place, const 
     without_air.air.reset();
     day.noon_altitude = sun_position(day.noon, place, without_air).geometric_altitude;
 
-    const Course course = course_around(day.noon, Horizon(place, options));
-    day.daylight = course.above;
-    if (course.crossings.empty()) {
-        day.kind = course.starts_above ? SunDayKind::polar_day : SunDayKind::polar_night;
+    day.midnights = {day.noon - kMeanDay / 2, day.noon + kMeanDay / 2};
+    const std::vector<TimeSpan> light = spans_above_horizon(day.midnights, [&](UtcTime time) {
+        return sun_position(time, place, without_air).geometric_altitude - kSunriseAltitude;
+    });
+    for (const TimeSpan& span : light)
+        day.daylight += span.length();
+    const std::vector<Crossing> crossings = crossings_of(light, day.midnights);
+    if (crossings.empty()) {
+        day.kind = light.empty() ? SunDayKind::polar_night : SunDayKind::polar_day;
         return day;
     }
     // The last sunrise before noon and the first sunset after it; at the poles, where the sun takes half a year
     // between them, whichever there is.
-    for (const auto& [time, rises] : course.crossings) {
+    for (const auto& [time, rises] : crossings) {
         if (rises && (!day.sunrise || time <= day.noon))
             day.sunrise = time;
         if (!rises && (!day.sunset || *day.sunset < day.noon))

@@ -3,6 +3,7 @@
 #include <duskline/light/date_time.h>
 #include <duskline/light/place.h>
 #include <duskline/light/sun_position.h>
+#include <duskline/light/sun_sample.h>
 
 #include <optional>
 
@@ -19,10 +20,11 @@ enum class SunDayKind {
 struct SunDay {
     SunDayKind kind = SunDayKind::rises_or_sets;
     UtcTime noon;                   ///< when the sun crosses the meridian
+    TimeSpan midnights;             ///< half a day before it and after
     Angle noon_altitude;            ///< geometric; below 0 in polar night
     std::optional<UtcTime> sunrise; ///< none on polar days and nights, nor on the last day before them where
     std::optional<UtcTime> sunset;  ///< the sun does only the other
-    std::chrono::microseconds daylight{0}; ///< above the horizon between the midnights around noon
+    std::chrono::microseconds daylight{0}; ///< above the horizon between these midnights
 };
 
 /// Sunrise and sunset are when the centre of the sun is geometrically 0.8333 degrees below the horizontal: the

@@ -69,11 +69,10 @@ std::vector<Default> geotiff_defaults(const RasterContent& content, const CPLStr
         if (content.samples != Samples::byte)
             defaults.push_back({"PREDICTOR", sample_type(content) == GDT_Float32 ? "3" : "2"});
     }
-    const int bands = band_count(content);
+    const int bands = content.bands.empty() ? band_count(content) : 1; // of a colour
     if (bands >= 3)
         defaults.push_back({"PHOTOMETRIC", "RGB"});
-    if (bands > 1)
-        defaults.push_back({"INTERLEAVE", "PIXEL"});
+    defaults.push_back({"INTERLEAVE", bands > 1 ? "PIXEL" : "BAND"});
     if (bands == 2 || bands == 4)
         defaults.push_back({"ALPHA", "YES"});
     defaults.push_back({"BIGTIFF", "IF_SAFER"});
@@ -146,7 +145,7 @@ int band_count(const RasterContent& content)
     case Samples::real:
         break;
     }
-    return 1;
+    return std::max(1, static_cast<int>(content.bands.size()));
 }
 
 GDALDataType sample_type(const RasterContent& content)

@@ -18,6 +18,7 @@
 #include <cassert>
 #include <cstddef>
 #include <filesystem>
+#include <numeric>
 
 namespace duskline {
 
@@ -101,20 +102,32 @@ void set_colours(GDALDataset& dataset)
     }
 }
 
-void set_content(GDALDataset& dataset, const RasterContent& content)
+void set_band(GDALRasterBand& band, const BandContent& content, std::optional<double> no_data)
 {
-    for (const auto& [key, value] : content.tags)
-        dataset.SetMetadataItem(key.c_str(), value.c_str());
-    if (content.no_data)
-        for (int i = 1; i <= dataset.GetRasterCount(); ++i)
-            dataset.GetRasterBand(i)->SetNoDataValue(*content.no_data);
-    if (dataset.GetRasterCount() > 1)
-        return set_colours(dataset);
-    GDALRasterBand& band = *dataset.GetRasterBand(1);
+    if (no_data)
+        band.SetNoDataValue(*no_data);
     if (!content.description.empty())
         band.SetDescription(content.description.c_str());
     if (!content.unit.empty())
         band.SetUnitType(content.unit.c_str());
+    for (const auto& [key, value] : content.tags)
+        band.SetMetadataItem(key.c_str(), value.c_str());
+}
+
+void set_content(GDALDataset& dataset, const RasterContent& content)
+{
+    for (const auto& [key, value] : content.tags)
+        dataset.SetMetadataItem(key.c_str(), value.c_str());
+    const int count = dataset.GetRasterCount();
+    for (int i = 0; i < count && !content.bands.empty(); ++i)
+        set_band(*dataset.GetRasterBand(i + 1), content.bands[static_cast<std::size_t>(i)], content.no_data);
+    if (!content.bands.empty())
+        return;
+    for (int i = 1; i <= count; ++i)
+        set_band(*dataset.GetRasterBand(i), {}, content.no_data);
+    if (count > 1)
+        return set_colours(dataset);
+    set_band(*dataset.GetRasterBand(1), {content.description, content.unit, {}}, {});
 }
 
 Dataset created(GDALDriver& driver, const std::string& path, const Placement& placement,
@@ -158,6 +171,12 @@ Grid<T> turned_round(GridView<const T> values, bool rows, bool columns)
     return turned;
 }
 
+// Bands that are written together, value beside value; counted from 1.
+struct Bands {
+    int first;
+    int count;
+};
+
 } // namespace
 
 struct RasterWriter::Open {
@@ -167,14 +186,17 @@ struct RasterWriter::Open {
     Open(const Open&) = delete;
     Open& operator=(const Open&) = delete;
 
-    void write_in_file_order(std::size_t first_row, std::size_t first_column, std::size_t rows,
+    void write_in_file_order(Bands bands, std::size_t first_row, std::size_t first_column, std::size_t rows,
                              std::size_t columns, const void* values, std::size_t row_stride);
     void close();
     void copy(const ProgressCallback& progress);
     [[noreturn]] void fail(const GdalErrors& errors) const;
 
+    Bands all_bands() const { return {1, dataset->GetRasterCount()}; }
+    Bands one_band(std::size_t band) const;
+
     template <typename T>
-    void write(std::size_t first_row, std::size_t first_column, GridView<const T> values);
+    void write(Bands bands, std::size_t first_row, std::size_t first_column, GridView<const T> values);
 
     Placement placement;
     RasterContent content;
@@ -294,36 +316,44 @@ bool RasterWriter::Open::is_whole_blocks(std::size_t first_row, std::size_t firs
            && whole(first_column, columns, block_columns, placement.columns);
 }
 
-void RasterWriter::Open::write_in_file_order(std::size_t first_row, std::size_t first_column,
+void RasterWriter::Open::write_in_file_order(Bands bands, std::size_t first_row, std::size_t first_column,
                                              std::size_t rows, std::size_t columns, const void* values,
                                              std::size_t row_stride)
 {
     const GdalErrors errors;
-    const int bands = dataset->GetRasterCount();
+    std::vector<int> numbers(static_cast<std::size_t>(bands.count));
+    std::iota(numbers.begin(), numbers.end(), bands.first);
     const GDALDataType type = sample_type(content);
     const auto sample_bytes = static_cast<GSpacing>(GDALGetDataTypeSizeBytes(type));
-    const GSpacing pixel_bytes = sample_bytes * bands;
+    const GSpacing pixel_bytes = sample_bytes * bands.count;
     const auto width = static_cast<int>(columns);
     const auto height = static_cast<int>(rows);
-    const CPLErr result =
-        dataset->RasterIO(GF_Write, static_cast<int>(first_column), static_cast<int>(first_row), width,
-                          height, const_cast<void*>(values), width, height, type, bands, nullptr, pixel_bytes,
-                          pixel_bytes * static_cast<GSpacing>(row_stride), sample_bytes, nullptr);
+    const CPLErr result = dataset->RasterIO(
+        GF_Write, static_cast<int>(first_column), static_cast<int>(first_row), width, height,
+        const_cast<void*>(values), width, height, type, bands.count, numbers.data(), pixel_bytes,
+        pixel_bytes * static_cast<GSpacing>(row_stride), sample_bytes, nullptr);
     if (result == CE_None && is_whole_blocks(first_row, first_column, rows, columns))
-        for (int band = 1; band <= bands; ++band)
+        for (const int band : numbers)
             dataset->GetRasterBand(band)->FlushCache(false);
     if (result != CE_None || errors.any())
         fail(errors);
 }
 
+Bands RasterWriter::Open::one_band(std::size_t band) const
+{
+    assert(band < content.bands.size());
+    return {static_cast<int>(band) + 1, 1};
+}
+
 template <typename T>
-void RasterWriter::Open::write(std::size_t first_row, std::size_t first_column, GridView<const T> values)
+void RasterWriter::Open::write(Bands bands, std::size_t first_row, std::size_t first_column,
+                               GridView<const T> values)
 {
     assert(dataset && first_row + values.rows() <= placement.rows
            && first_column + values.columns() <= placement.columns);
     assert(sizeof(T)
            == static_cast<std::size_t>(GDALGetDataTypeSizeBytes(sample_type(content)))
-                  * static_cast<std::size_t>(band_count(content)));
+                  * static_cast<std::size_t>(bands.count));
     if (values.empty())
         return;
     const bool flip_rows = placement.ground.rows_flipped;
@@ -333,10 +363,10 @@ void RasterWriter::Open::write(std::size_t first_row, std::size_t first_column, 
     if (flip_columns)
         first_column = placement.columns - first_column - values.columns();
     if (!flip_rows && !flip_columns)
-        return write_in_file_order(first_row, first_column, values.rows(), values.columns(), values.data(),
-                                   values.row_stride());
+        return write_in_file_order(bands, first_row, first_column, values.rows(), values.columns(),
+                                   values.data(), values.row_stride());
     const Grid<T> turned = turned_round(values, flip_rows, flip_columns);
-    write_in_file_order(first_row, first_column, turned.rows(), turned.columns(), turned.data(),
+    write_in_file_order(bands, first_row, first_column, turned.rows(), turned.columns(), turned.data(),
                         turned.columns());
 }
 
@@ -382,65 +412,77 @@ RasterWriter& RasterWriter::operator=(RasterWriter&&) noexcept = default;
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column, GridView<const std::uint8_t> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
 }
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column, GridView<const Lit> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
 }
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column, GridView<const float> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
 }
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column,
                          GridView<const std::array<std::uint8_t, 3>> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
 }
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column,
                          GridView<const std::array<std::uint8_t, 4>> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
+}
+
+void RasterWriter::write_band(std::size_t band, std::size_t first_row, std::size_t first_column,
+                              GridView<const std::uint8_t> values)
+{
+    open_->write(open_->one_band(band), first_row, first_column, values);
+}
+
+void RasterWriter::write_band(std::size_t band, std::size_t first_row, std::size_t first_column,
+                              GridView<const float> values)
+{
+    open_->write(open_->one_band(band), first_row, first_column, values);
 }
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column,
                          GridView<const std::array<std::uint8_t, 2>> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
 }
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column,
                          GridView<const std::uint16_t> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
 }
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column,
                          GridView<const std::array<std::uint16_t, 2>> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
 }
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column,
                          GridView<const std::array<std::uint16_t, 3>> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
 }
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column,
                          GridView<const std::array<std::uint16_t, 4>> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
 }
 
 void RasterWriter::write(std::size_t first_row, std::size_t first_column,
                          GridView<const std::array<float, 3>> values)
 {
-    open_->write(first_row, first_column, values);
+    open_->write(open_->all_bands(), first_row, first_column, values);
 }
 
 std::size_t RasterWriter::block_rows() const

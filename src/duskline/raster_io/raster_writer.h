@@ -27,8 +27,8 @@ struct WriteOptions {
 
 /// What the bands of a raster hold.
 enum class Samples {
-    byte,       ///< one band of 8 bits
-    real,       ///< one band of 32-bit floats
+    byte,       ///< 8 bits, in one band or in those named
+    real,       ///< 32-bit floats, likewise
     rgb,        ///< red, green, blue of 8 bits
     rgba,       ///< and opacity
     byte_alpha, ///< grey and opacity of 8 bits
@@ -37,6 +37,13 @@ enum class Samples {
     rgb_words,  ///< red, green, blue of 16 bits
     rgba_words, ///< and opacity
     rgb_reals,  ///< red, green, blue in 32-bit floats
+};
+
+/// One band of a raster of several that are no colours.
+struct BandContent {
+    std::string description = {};
+    std::string unit = {};                                      ///< "m"
+    std::vector<std::pair<std::string, std::string>> tags = {}; ///< metadata of the band
 };
 
 struct RasterContent {
@@ -48,6 +55,7 @@ struct RasterContent {
     std::string description = {};       ///< of the band
     std::string unit = {};              ///< of the band: "m"
     std::vector<std::pair<std::string, std::string>> tags = {}; ///< metadata, in the file's default domain
+    std::vector<BandContent> bands = {}; ///< of bytes or reals; empty: one, as described above
 };
 
 /// GDAL's short name of the format that `path` and `options` mean. Throws InvalidInput when no format that
@@ -103,6 +111,13 @@ public:
     void write(std::size_t first_row, std::size_t first_column,
                GridView<const std::array<std::uint16_t, 4>> values);
     void write(std::size_t first_row, std::size_t first_column, GridView<const std::array<float, 3>> values);
+
+    /// The same into one band, counted from 0, of a raster of several bands of bytes or reals. Band after band is the
+    /// order that GeoTIFF likes best: unless the creation options say otherwise, each lies in one piece.
+    void write_band(std::size_t band, std::size_t first_row, std::size_t first_column,
+                    GridView<const std::uint8_t> values);
+    void write_band(std::size_t band, std::size_t first_row, std::size_t first_column,
+                    GridView<const float> values);
 
     std::size_t block_rows() const;
     std::size_t block_columns() const;

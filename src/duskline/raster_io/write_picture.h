@@ -18,4 +18,7 @@ namespace duskline {
 void write_picture(const std::string& path, GridView<const std::array<std::uint8_t, 4>> picture,
                    bool overwrite = false);
 
+/// The same for a grey one.
+void write_picture(const std::string& path, GridView<const std::uint8_t> picture, bool overwrite = false);
+
 } // namespace duskline
