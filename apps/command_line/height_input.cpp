@@ -55,6 +55,15 @@ EarthCurvature choose_curvature(const InputOptions& options, const HeightFile& f
     return curvature;
 }
 
+Terrain read_lowered_terrain(HeightFile& file, const EarthCurvature& curvature, const Execution& execution)
+{
+    Terrain terrain = read_terrain(file, execution);
+    if (curvature.coefficient != 0.0)
+        CurvedEarth(curvature, terrain.cell_size_m, terrain.heights_m.columns())
+            .lower(terrain.heights_m.view());
+    return terrain;
+}
+
 void report_reading(const HeightFile& file, Report& report)
 {
     const ReadTally& tally = file.tally();

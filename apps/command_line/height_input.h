@@ -19,6 +19,9 @@ HeightFile open_heights(const InputOptions& options, const RunOptions& run, Repo
 /// Coefficient 0 is a flat earth.
 EarthCurvature choose_curvature(const InputOptions& options, const HeightFile& file, Report& report);
 
+/// All heights, lowered by the curvature: ground that light meets as on a flat earth. Throws as read_terrain.
+Terrain read_lowered_terrain(HeightFile& file, const EarthCurvature& curvature, const Execution& execution);
+
 /// Says what turned up while the heights were read: no data that the file does not declare, or nothing else.
 void report_reading(const HeightFile& file, Report& report);
 

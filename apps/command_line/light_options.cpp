@@ -19,14 +19,14 @@ void add_air(CLI::App& app, Air& air)
     add_number(app,
                {.names = "--pressure",
                 .unit = "MBAR",
-                .text = "of the air at the place, for the refraction of --time; 0 for none",
+                .text = "of the air at the place, for the refraction of the sun; 0 for none",
                 .range = {.least = 0.0, .most = 1200.0}},
                air.pressure_mbar)
         ->group(kGroup);
     add_number(app,
                {.names = "--temperature",
                 .unit = "CELSIUS",
-                .text = "of the air at the place, for the refraction of --time",
+                .text = "of the air at the place, for the refraction of the sun",
                 .range = {.least = -100.0, .most = 100.0}},
                air.temperature_c)
         ->group(kGroup);
@@ -84,6 +84,11 @@ void add_sunlight_options(CLI::App& app, SunlightOptions& options)
            "the sun at this moment, ISO 8601 with its offset from UTC or Z: 2026-06-21T18:30-10:00")
         ->type_name("TIME")
         ->group(kGroup);
+    add_sun_view_options(app, options);
+}
+
+void add_sun_view_options(CLI::App& app, SunlightOptions& options)
+{
     app.add_option_function<std::string>(
            "--at", [&options](const std::string& typed) { options.at = parse_place(typed); },
            "where the sun is seen from, degrees east and north; else the raster's centre")
@@ -183,6 +188,14 @@ Place choose_place(const SunlightOptions& options, const LightSite& site, Report
         throw UsageError("the raster does not say where on the Earth it lies: give --at LON,LAT");
     report.note(fmt::format("the sun is seen from the raster's centre, {}", in_words(*site.place)));
     return *site.place;
+}
+
+SunView choose_sun_view(const SunlightOptions& options, const LightSite& site, Limb limb, Report& report)
+{
+    return {.place = choose_place(options, site, report),
+            .options = {.air = options.air},
+            .true_to_grid_north = site.true_to_grid_north,
+            .limb = limb};
 }
 
 Place parse_place(std::string_view text)

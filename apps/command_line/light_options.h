@@ -5,6 +5,7 @@
 #include <duskline/light/date_time.h>
 #include <duskline/light/directional_light.h>
 #include <duskline/light/place.h>
+#include <duskline/light/sun_course.h>
 #include <duskline/light/sun_position.h>
 
 #include <CLI/CLI.hpp>
@@ -50,6 +51,9 @@ struct ChosenLight {
 void add_light_options(CLI::App& app, LightOptions& options);
 void add_sunlight_options(CLI::App& app, SunlightOptions& options);
 
+/// The same without --time, for commands that take dates.
+void add_sun_view_options(CLI::App& app, SunlightOptions& options);
+
 /// Whether any of them is given, even if only half of what makes a light.
 bool asks_for_light(const LightOptions& options);
 
@@ -68,6 +72,9 @@ ChosenLight choose_light(const LightOptions& options, const LightSite& site, Rep
 
 /// Where the sun of --time or --date is seen from: --at, else the raster's centre. Throws UsageError.
 Place choose_place(const SunlightOptions& options, const LightSite& site, Report& report);
+
+/// The same with the air and the raster's north, for suns of many moments.
+SunView choose_sun_view(const SunlightOptions& options, const LightSite& site, Limb limb, Report& report);
 
 /// "-155.47,19.82": longitude and latitude in degrees. Throws UsageError.
 Place parse_place(std::string_view text);

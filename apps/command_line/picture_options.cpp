@@ -203,20 +203,25 @@ double choose_ambient(const PictureOptions& options, const HeightFile& file)
     return options.ambient.value_or(has_air(file) ? 0.28 : 0.06);
 }
 
-PictureSize choose_size(const PictureOptions& options, const HeightFile& file)
+PictureSize size_with_longer_side(std::string_view option, std::size_t pixels, const HeightFile& file)
 {
     const std::size_t longer = std::max(file.rows(), file.columns());
-    if (!options.size)
-        return {file.rows(), file.columns()};
-    if (*options.size > longer)
-        throw UsageError(fmt::format("--size must be at most {}, the longer side of the raster, got {}",
-                                     longer, *options.size));
+    if (pixels > longer)
+        throw UsageError(fmt::format("{} must be at most {}, the longer side of the raster, got {}", option,
+                                     longer, pixels));
     const auto scaled = [&](std::size_t side) {
         const double exact =
-            static_cast<double>(side) * static_cast<double>(*options.size) / static_cast<double>(longer);
+            static_cast<double>(side) * static_cast<double>(pixels) / static_cast<double>(longer);
         return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(exact)));
     };
     return {scaled(file.rows()), scaled(file.columns())};
+}
+
+PictureSize choose_size(const PictureOptions& options, const HeightFile& file)
+{
+    if (!options.size)
+        return {file.rows(), file.columns()};
+    return size_with_longer_side("--size", *options.size, file);
 }
 
 } // namespace duskline::cli

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace duskline::cli {
 
@@ -43,11 +44,16 @@ bool has_air(const HeightFile& file);
 /// The share of light in shadow: as asked, else much under a sky and little without air.
 double choose_ambient(const PictureOptions& options, const HeightFile& file);
 
-/// Rows and columns of the picture. Throws UsageError when --size is larger than the raster.
 struct PictureSize {
     std::size_t rows = 0;
     std::size_t columns = 0;
 };
+
+/// Rows and columns of a picture of the raster whose longer side has so many pixels. Throws UsageError when an option
+/// asks for more than the raster has.
+PictureSize size_with_longer_side(std::string_view option, std::size_t pixels, const HeightFile& file);
+
+/// The same for --size.
 PictureSize choose_size(const PictureOptions& options, const HeightFile& file);
 
 } // namespace duskline::cli

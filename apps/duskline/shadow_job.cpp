@@ -1,5 +1,6 @@
 #include "shadow_job.h"
 
+#include "height_input.h"
 #include "stopwatch.h"
 
 #include <duskline/casting/lamps.h>
@@ -28,11 +29,7 @@ Execution with_progress(const ShadowJob& job, double from, double to)
 Terrain lowered_terrain(const ShadowJob& job, double& seconds)
 {
     const Stopwatch watch(seconds);
-    Terrain terrain = read_terrain(job.file, with_progress(job, 0.0, 0.2));
-    if (job.curvature.coefficient != 0.0)
-        CurvedEarth(job.curvature, terrain.cell_size_m, terrain.heights_m.columns())
-            .lower(terrain.heights_m.view());
-    return terrain;
+    return read_lowered_terrain(job.file, job.curvature, with_progress(job, 0.0, 0.2));
 }
 
 // Writes rows in bands, so that the progress moves and an interruption is heard. `finish(first_row, rows)` makes

@@ -1,4 +1,5 @@
 #include "command.h"
+#include "date_options.h"
 #include "exit_code.h"
 #include "help_page.h"
 #include "light_options.h"
@@ -6,7 +7,6 @@
 #include "report.h"
 #include "run_options.h"
 
-#include <duskline/geometry/invalid_input.h>
 #include <duskline/light/day.h>
 #include <duskline/raster_io/read_height_field.h>
 
@@ -41,28 +41,9 @@ void add_raster(CLI::App& app, SunCommandOptions& options)
 
 void add_date(CLI::App& app, SunCommandOptions& options)
 {
-    const auto named = [](const char* option, const auto& parse) {
-        return [option, parse](const std::string& typed) {
-            try {
-                parse(typed);
-            } catch (const InvalidInput& error) {
-                throw UsageError(fmt::format("{} {}", option, error.what()));
-            }
-        };
-    };
-    app.add_option_function<std::string>(
-           "--date",
-           named("--date", [&options](const std::string& typed) { options.date = parse_date(typed); }),
-           "only sunrise, noon and sunset of this day: 2026-06-21")
-        ->type_name("DATE")
-        ->group("Light");
-    app.add_option_function<std::string>(
-           "--utc-offset",
-           named("--utc-offset",
-                 [&options](const std::string& typed) { options.utc_offset = parse_utc_offset(typed); }),
-           "of the clock that times are told by: -10:00; else that of --time, else UTC")
-        ->type_name("HH:MM")
-        ->group("Light");
+    add_date_option(app, "--date", "only sunrise, noon and sunset of this day: 2026-06-21", options.date);
+    add_utc_offset_option(app, "of the clock that times are told by: -10:00; else that of --time, else UTC",
+                          options.utc_offset);
 }
 
 std::string name_of(SunDayKind kind)

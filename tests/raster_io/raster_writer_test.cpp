@@ -227,6 +227,47 @@ TEST_F(WriteRasters, ColoursGoToBandsOfTheirOwn)
     }
 }
 
+TEST_F(WriteRasters, BandsOfAnyNumberAreWrittenOneByOneEachWithItsWords)
+{
+    const HeightFile like(made({.rows = 5, .columns = 7}));
+    const RasterContent content = {
+        .samples = Samples::byte,
+        .no_data = 255.0,
+        .tags = {{"SOFTWARE", "duskline"}},
+        .bands = {{"morning", "", {{"TIME", "08:00"}}}, {"noon", "", {}}, {"evening", "h", {}}}};
+    RasterWriter writer(path("day.tif"), like, content);
+    for (const std::size_t band : {2U, 0U, 1U}) {
+        Grid<std::uint8_t> values = counted();
+        for (std::uint8_t& value : values.values())
+            value = static_cast<std::uint8_t>(value + 50 * band);
+        writer.write_band(band, 0, 0, GridView<const std::uint8_t>(values.view()));
+    }
+    writer.finish();
+    const Dataset dataset = opened(path("day.tif"));
+    ASSERT_EQ(dataset->GetRasterCount(), 3);
+    for (const int band : {1, 2, 3}) {
+        EXPECT_EQ(values_of(path("day.tif"), band)[8], static_cast<float>(8 + 50 * (band - 1)));
+        EXPECT_EQ(dataset->GetRasterBand(band)->GetNoDataValue(), 255.0);
+    }
+    EXPECT_STREQ(dataset->GetRasterBand(3)->GetDescription(), "evening");
+    EXPECT_STREQ(dataset->GetRasterBand(3)->GetUnitType(), "h");
+    EXPECT_STREQ(dataset->GetRasterBand(1)->GetMetadataItem("TIME"), "08:00");
+    EXPECT_STREQ(dataset->GetMetadataItem("INTERLEAVE", "IMAGE_STRUCTURE"), "BAND");
+}
+
+TEST_F(WriteRasters, BandsOfRealsAreTurnedBackToTheOrderOfTheFile)
+{
+    const HeightFile like(
+        made({.rows = 2, .columns = 3, .geotransform = {{0.0, 10.0, 0.0, 0.0, 0.0, 10.0}}}));
+    RasterWriter writer(path("two.tif"), like, {.samples = Samples::real, .bands = {{"a"}, {"b"}}});
+    Grid<float> values(2, 3);
+    std::iota(values.values().begin(), values.values().end(), 0.5F);
+    writer.write_band(0, 0, 0, GridView<const float>(values.view()));
+    writer.write_band(1, 0, 0, GridView<const float>(values.view()));
+    writer.finish();
+    EXPECT_THAT(values_of(path("two.tif"), 2), ElementsAre(3.5F, 4.5F, 5.5F, 0.5F, 1.5F, 2.5F));
+}
+
 struct Format {
     const char* name;
     const char* format; // --of; empty: by extension

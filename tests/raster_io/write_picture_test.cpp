@@ -48,6 +48,17 @@ TEST_F(WritePicture, KeepsEveryPixelAndLeavesOutOpacityThatSaysNothing)
     }
 }
 
+TEST_F(WritePicture, KeepsGreyOnesGrey)
+{
+    Grid<std::uint8_t> grey(3, 5);
+    for (std::size_t i = 0; i < grey.size(); ++i)
+        grey.values()[i] = static_cast<std::uint8_t>(17 * i);
+    write_picture(path("grey.png"), grey.view());
+    const Grid<Pixel> again = read(path("grey.png"), 1);
+    for (std::size_t i = 0; i < grey.size(); ++i)
+        EXPECT_EQ(again.values()[i][0], grey.values()[i]);
+}
+
 TEST_F(WritePicture, ReplacesNothingUnasked)
 {
     write_picture(path("picture.png"), coloured(255).view());

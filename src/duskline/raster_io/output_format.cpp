@@ -72,7 +72,8 @@ std::vector<Default> geotiff_defaults(const RasterContent& content, const CPLStr
     const int bands = content.bands.empty() ? band_count(content) : 1; // of a colour
     if (bands >= 3)
         defaults.push_back({"PHOTOMETRIC", "RGB"});
-    defaults.push_back({"INTERLEAVE", bands > 1 ? "PIXEL" : "BAND"});
+    if (bands > 1 || !content.bands.empty())
+        defaults.push_back({"INTERLEAVE", bands > 1 ? "PIXEL" : "BAND"});
     if (bands == 2 || bands == 4)
         defaults.push_back({"ALPHA", "YES"});
     defaults.push_back({"BIGTIFF", "IF_SAFER"});
