@@ -100,8 +100,8 @@ constexpr Sample light_sample(float light)
 {
     constexpr float most = static_cast<float>(std::numeric_limits<Sample>::max());
     // Light is not below 0, and rounding this way keeps loops in SIMD registers.
-    return light >= 0.0f ? static_cast<Sample>(light * most + 0.5f)
-                         : Sample{0}; // NOLINT(bugprone-incorrect-roundings)
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings)
+    return light >= 0.0f ? static_cast<Sample>(light * most + 0.5f) : Sample{0};
 }
 
 } // namespace duskline
