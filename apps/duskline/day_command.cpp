@@ -117,7 +117,7 @@ std::string format_of(const DayOptions& options, bool bands)
 {
     if (options.output.format.empty())
         return bands ? "GTiff" : "PNG";
-    const std::string format = output_format("", {.format = options.output.format});
+    std::string format = output_format("", {.format = options.output.format});
     if (bands && format != "GTiff")
         throw UsageError(fmt::format("one raster of many bands is a GTiff, got --of {}", format));
     if (format != "PNG" && format != "GTiff")
