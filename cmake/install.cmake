@@ -67,6 +67,9 @@ install(FILES ${PROJECT_BINARY_DIR}/dusklineConfig.cmake ${PROJECT_BINARY_DIR}/d
 if(TARGET duskline_command)
   file(RELATIVE_PATH libraries_from_programs ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   set_target_properties(duskline_command PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
+  if(TARGET duskline_viewer)
+    set_target_properties(duskline_viewer PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
+  endif()
 endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

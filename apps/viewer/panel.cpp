@@ -113,6 +113,19 @@ void draw_flight(Activity& activity)
     text(fmt::format("{} poses", activity.flight.poses.size()));
 }
 
+void draw_brush(Brush& brush)
+{
+    int effect = static_cast<int>(brush.effect);
+    if (ImGui::Combo("Brush", &effect, "raise\0lower\0smooth\0"))
+        brush.effect = static_cast<BrushEffect>(effect);
+    slider("Radius, m", brush.radius_m, 10.0, 20000.0, "%.0f");
+    if (brush.effect == BrushEffect::smooth)
+        slider("Smoothing", brush.smoothing, 0.0, 1.0, "%.2f");
+    else
+        slider("m a second", brush.amount_m, 1.0, 5000.0, "%.0f");
+    text("Hold Ctrl and drag over the ground");
+}
+
 void draw_figures(const FrameFigures& figures)
 {
     text(fmt::format("{:7.2f} ms a frame ({:.0f} a second)", figures.frame_ms,
@@ -127,6 +140,7 @@ void draw_help(bool& open)
     if (ImGui::Begin("Keys", &open, ImGuiWindowFlags_AlwaysAutoResize))
         text("Left drag          turn around what the pointer is on\n"
              "Shift + left drag  move the sun\n"
+             "Ctrl + left drag   raise, lower or smooth the ground\n"
              "Right drag         look elsewhere\n"
              "Middle drag        move sideways\n"
              "Wheel              nearer, farther\n"
@@ -165,6 +179,8 @@ void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, c
         draw_look(state);
     if (ImGui::CollapsingHeader("Flight"))
         draw_flight(activity);
+    if (ImGui::CollapsingHeader("Ground"))
+        draw_brush(activity.brush);
     activity.wants_screenshot = ImGui::Button("Screenshot");
     ImGui::SameLine();
     activity.wants_state_saved = ImGui::Button("Save state");

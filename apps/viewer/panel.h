@@ -4,6 +4,7 @@
 #include "viewer_state.h"
 
 #include <duskline/products/mask_difference.h>
+#include <duskline/terrain/brush.h>
 
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ struct Activity {
     bool replays = false;
     bool records = false;
     CameraPath flight;     ///< recorded, or read
+    Brush brush;           ///< amount in metres a second
     double replayed = 0.0; ///< share of it
     std::string message;   ///< what was last done
     std::optional<MaskDifference> counted;

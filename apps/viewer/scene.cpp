@@ -97,7 +97,8 @@ void Scene::heights_changed(const CellRectangle& rectangle)
 {
     textures_.heights_changed(rectangle);
     renderer_.heights_changed(rectangle);
-    technique_->heights_changed(rectangle);
+    if (technique_)
+        technique_->heights_changed(rectangle);
     if (truth_)
         truth_->heights_changed(rectangle);
 }

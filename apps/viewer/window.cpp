@@ -130,13 +130,16 @@ std::string free_name(const std::string& name, const std::string& extension)
 // One sitting before a window.
 class Sitting {
 public:
-    Sitting(const ViewerOptions& options, Window& window, const ViewedTerrain& viewed, const SunClock& clock,
+    Sitting(const ViewerOptions& options, Window& window, ViewedTerrain& viewed, const SunClock& clock,
             const gl::ShaderSources& sources)
-        : window_(window), clock_(clock), scene_(viewed, clock, sources),
+        : window_(window), viewed_(viewed), clock_(clock), scene_(viewed, clock, sources),
           state_(first_state(options, viewed, clock))
     {
         if (!options.flight.empty())
             activity_.flight = read_flight(options.flight);
+        const CellSize cell_m = viewed.terrain.cell_size_m;
+        activity_.brush.radius_m = 30.0 * std::max(cell_m.x, cell_m.y);
+        activity_.brush.amount_m = 0.5 * activity_.brush.radius_m;
     }
 
     void run()
@@ -289,6 +292,8 @@ private:
         if (io.MouseWheel != 0.0f)
             state_.camera = approached(state_.camera, under_pointer(),
                                        std::pow(0.85, static_cast<double>(io.MouseWheel)));
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left) && io.KeyCtrl)
+            return stroke_ground(static_cast<double>(io.DeltaTime));
         const double right_px = static_cast<double>(io.MouseDelta.x);
         const double down_px = static_cast<double>(io.MouseDelta.y);
         if (right_px == 0.0 && down_px == 0.0)
@@ -305,6 +310,18 @@ private:
                                    Angle::from_degrees(-0.5 * degrees * down_px));
         else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle))
             shift(right_px, down_px, height_px);
+    }
+
+    // Shadows follow before the frame is drawn.
+    void stroke_ground(double seconds)
+    {
+        Brush brush = activity_.brush;
+        brush.amount_m *= seconds;
+        const CellSize cell_size_m = viewed_.terrain.cell_size_m;
+        const CellRectangle changed = stroke(viewed_.terrain.heights_m.view(), cell_size_m,
+                                             grid_point(under_pointer(), cell_size_m), brush);
+        if (changed.rows > 0)
+            scene_.heights_changed(changed);
     }
 
     // What was clicked on stays under the pointer.
@@ -402,6 +419,7 @@ private:
     }
 
     Window& window_;
+    ViewedTerrain& viewed_;
     const SunClock& clock_;
     Scene scene_;
     ViewerState state_;
@@ -424,7 +442,7 @@ gl::ShaderSources shader_sources()
 void show_window(const ViewerOptions& options, cli::Report& report)
 {
     Window window(options.width, options.height, "Duskline: " + options.input.path);
-    const ViewedTerrain viewed = read_viewed_terrain(options, report);
+    ViewedTerrain viewed = read_viewed_terrain(options, report);
     const SunClock clock(cli::light_site(viewed.file.ground()), options.light.sun,
                          options.light.sun_size_deg);
     const gl::ShaderSources sources = shader_sources();

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Opens duskline-viewer in a window of a virtual display and uses it as hands would: drags the sun, changes the technique,
-takes a screenshot, leaves. Skipped (77) where there is no Xvfb or xdotool.
+"""Opens duskline-viewer in a window of a virtual display and uses it as hands would: drags the sun, raises the ground, changes the
+technique, takes screenshots, leaves. Skipped (77) where there is no Xvfb or xdotool.
 
 usage: window_test.py VIEWER
 """
@@ -69,6 +69,11 @@ def use(display, viewer, folder):
         new = display.hold("F2", lambda: set(folder.glob("duskline-state-*.json")) - before, "a saved state")
         return json.loads(new.pop().read_text())
 
+    def screenshot():
+        before = set(folder.glob("duskline-0*.png"))
+        new = display.hold("F12", lambda: set(folder.glob("duskline-0*.png")) - before, "a screenshot")
+        return new.pop().read_bytes()
+
     window = wait_until(lambda: display.do("search", "--name", "Duskline: ").split(), "the window")[0]
     display.do("windowfocus", window)
     display.do("mousemove", 500, 300)
@@ -100,14 +105,22 @@ def use(display, viewer, folder):
     assert turned["camera"]["heading_deg"] != dragged["camera"]["heading_deg"]
     assert turned["light"] == dragged["light"]
 
+    # Ctrl and drag: the ground rises under the pointer, and nothing else moves.
+    level = screenshot()
+    assert len(level) > 5000, f"{len(level)} bytes are an empty picture"
+    assert screenshot() == level
+    display.do("keydown", "ctrl", "mousedown", 1)
+    time.sleep(2.0)
+    display.do("mouseup", 1, "keyup", "ctrl")
+    time.sleep(0.5)
+    assert saved_state() == turned
+    assert screenshot() != level
+
     display.do("keydown", "Tab")
     time.sleep(1.5)
     display.do("keyup", "Tab")
     time.sleep(0.5)
     assert saved_state()["technique"] not in ("exact", "none")
-
-    picture = display.hold("F12", lambda: list(folder.glob("duskline-0001.png")), "a screenshot")[0]
-    assert picture.stat().st_size > 5000, f"{picture.stat().st_size} bytes are an empty picture"
 
     display.do("keydown", "Escape")
     code = viewer.wait(PATIENCE_S)
@@ -136,7 +149,7 @@ def main(program):
             look(program, display, folder)
         finally:
             display.close()
-    print("the sun was dragged, the technique changed, a picture taken")
+    print("the sun was dragged, the ground raised, the technique changed, pictures taken")
 
 
 if __name__ == "__main__":
