@@ -103,7 +103,7 @@ for part in $hawaii "$scratch/section.tif"; do
 done
 tools/draw_profile.py "$scratch/hawaii_2048.xyz" "$scratch/section.xyz" 4 $algorithms/sweep_section.svg
 echo $algorithms/sweep_section.svg
-for caster in fast-ray sweep strider line-march line-march-bilinear; do
+for caster in fast-ray sweep smap strider line-march line-march-bilinear; do
     "$duskline" shadow $hawaii "$scratch/$caster.tif" --caster $caster --azimuth 203 --altitude 5 --flat --quiet
     [ $caster = fast-ray ] && continue
     tools/compare_masks.py "$scratch/fast-ray.tif" "$scratch/$caster.tif" --part 1240,560,120,120 --zoom 5 \
