@@ -385,8 +385,9 @@ TEST_F(LightCommand, AMeshHasAVertexForEveryCellWithData)
     const auto summary = light(with(kSunOptions, {"out.ply"}));
     light(with(kSunOptions, {"out.tif"}));
     const std::string mesh = read_file("out.ply");
+    const Bands picture = bands("out.tif");
     std::size_t data = 0;
-    for (const float opacity : bands("out.tif").values.at(1))
+    for (const float opacity : picture.values.at(1))
         data += opacity > 0.0F ? 1U : 0U;
     ASSERT_LT(data, kRows * kColumns);
     EXPECT_THAT(mesh.substr(0, 4000), HasSubstr("element vertex " + std::to_string(data) + "\n"));
@@ -395,7 +396,7 @@ TEST_F(LightCommand, AMeshHasAVertexForEveryCellWithData)
     EXPECT_EQ(summary["output"], "out.ply");
     // The first vertex's colour is the first cell's light.
     const auto first = static_cast<unsigned char>(mesh.at(mesh.find("end_header\n") + 11 + 24));
-    EXPECT_EQ(static_cast<float>(first), bands("out.tif").values.at(0).front());
+    EXPECT_EQ(static_cast<float>(first), picture.values.at(0).front());
 }
 
 TEST_F(LightCommand, AMeshIsTheGroundAsItIsOnARoundEarthToo)

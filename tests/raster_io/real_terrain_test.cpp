@@ -133,8 +133,10 @@ TEST_P(OnRealTerrain, EveryCasterIsAsRightAsItPromises)
         EXPECT_TRUE(same_mask(mask, truth, excuses_and_holes(caster, terrain, light)));
         if (caster.exact)
             continue;
-        // The others are beside a shadow narrower than a cell, which no cell of the truth shows.
-        EXPECT_LE(static_cast<double>(difference.differing - difference.beside_edge), wrong / 8.0);
+        // The others are beside a shadow narrower than a cell, which no cell of the truth shows. A caster that is
+        // wrong in a handful of millions of cells may have one of them there.
+        EXPECT_LE(static_cast<double>(difference.differing - difference.beside_edge),
+                  std::max(wrong / 8.0, 1e-6 * cells));
     }
 }
 
