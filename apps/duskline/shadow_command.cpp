@@ -233,6 +233,12 @@ Plan plan_for(const ShadowOptions& options, const HeightFile& file, const Caster
                                 * bytes_per_cell(caster, result, 0);
     if (needed_bytes <= most_bytes)
         return {};
+    if (can_stream(caster,
+                   ShadowResult::mask)) // its beams are counted from the first line: no window has them
+        throw UnsupportedOnThisMachine(fmt::format(
+            "'{}' needs {:.3g} MiB for {} by --caster {}, which takes them from the whole raster; {:.3g} MiB "
+            "may be used; take --caster exact, which casts in windows",
+            file.facts().path, needed_bytes / 0x1p20, name_of(result), caster.name, most_bytes / 0x1p20));
     return {Way::windows, static_cast<std::size_t>(options.memory_mib ? most_bytes : most_bytes / 2.0)};
 }
 

@@ -383,6 +383,18 @@ TEST_F(ShadowCommand, WhatIsTooLargeForMemoryIsCastInWindowsWithTheSameBytes)
         }
 }
 
+TEST_F(ShadowCommand, ClassesByACasterWhoseBeamsBeginAtTheBorderAreNotCastInWindows)
+{
+    make(hills(900, 800));
+    for (const std::string caster : {"sweep", "strider"}) {
+        const Finished finished = run({"shadow", "dem.tif", "mask.tif", "--azimuth", "203", "--altitude",
+                                       "25", "--classes", "--caster", caster, "--memory", "3.2"});
+        EXPECT_EQ(finished.exit_code, 5);
+        EXPECT_THAT(finished.err, HasSubstr("--caster exact"));
+        EXPECT_THAT(files(), ElementsAre("dem.tif"));
+    }
+}
+
 TEST_F(ShadowCommand, WindowsThatShadowsMakeTooLargeAreRefused)
 {
     make(hills(900, 800));
