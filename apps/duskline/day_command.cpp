@@ -7,6 +7,7 @@
 #include "height_input.h"
 #include "help_page.h"
 #include "interruption.h"
+#include "light_map_options.h"
 #include "option_values.h"
 #include "output_options.h"
 #include "picture_options.h"
@@ -146,8 +147,9 @@ DayMapOptions map_options(const DayOptions& options)
     DayMapOptions result;
     result.light = !options.shadows;
     result.soft = options.soft;
-    result.model.model = light_model_named(options.model).model;
-    result.model.ambient = options.ambient.value_or(result.model.ambient);
+    const NamedLightModel& model = light_model_named(options.model);
+    result.model.model = model.model;
+    result.model.ambient = options.ambient.value_or(model.usual_ambient);
     return result;
 }
 
@@ -579,10 +581,7 @@ void add_contents(CLI::App& app, DayOptions& options)
         app.add_flag("--shadows", options.shadows, "map shadows alone; else the light on the ground");
     shadows->group("Output");
     app.add_flag("--soft", options.soft, "soft edges, as wide as the sun's disc makes them")->group("Output");
-    std::string models;
-    for (const NamedLightModel& model : kLightModels)
-        models += fmt::format("{}{} ({})", models.empty() ? "" : ", ", model.name, model.description);
-    app.add_option("--model", options.model, "how the light falls on slopes: " + models)
+    app.add_option("--model", options.model, "how the light falls on slopes: " + names_of_models())
         ->type_name("NAME")
         ->default_str("lambert")
         ->excludes(shadows)
@@ -590,7 +589,7 @@ void add_contents(CLI::App& app, DayOptions& options)
     add_number(app,
                {.names = "--ambient",
                 .unit = "SHARE",
-                .text = "light that reaches every cell, of 1; the sun has the rest; else 0.25",
+                .text = "light that reaches every cell, of 1; the sun has the rest; else " + usual_ambients(),
                 .range = {.least = 0.0, .most = 1.0}},
                options.ambient)
         ->group("Output");

@@ -14,22 +14,6 @@ namespace {
 
 constexpr auto kGroup = "Map";
 
-std::string names_of_models()
-{
-    std::string names;
-    for (const NamedLightModel& model : kLightModels)
-        names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", model.name, model.description);
-    return names;
-}
-
-std::string usual_ambients()
-{
-    std::string text;
-    for (const NamedLightModel& model : kLightModels)
-        text += fmt::format("{}{:g} with {}", text.empty() ? "" : ", ", model.usual_ambient, model.name);
-    return text;
-}
-
 MapSize parse_size(const std::string& text)
 {
     const std::size_t x = text.find('x');
@@ -121,6 +105,22 @@ void add_shadows(CLI::App& app, LightMapCommandOptions& options)
 }
 
 } // namespace
+
+std::string names_of_models()
+{
+    std::string names;
+    for (const NamedLightModel& model : kLightModels)
+        names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", model.name, model.description);
+    return names;
+}
+
+std::string usual_ambients()
+{
+    std::string text;
+    for (const NamedLightModel& model : kLightModels)
+        text += fmt::format("{}{:g} with {}", text.empty() ? "" : ", ", model.usual_ambient, model.name);
+    return text;
+}
 
 LightMapOptions LightMapCommandOptions::light() const
 {

@@ -39,6 +39,10 @@ struct LightMapCommandOptions {
     LightMapOptions light() const;
 };
 
+/// For help: the models and what they are, and the ambient light that suits each.
+std::string names_of_models();
+std::string usual_ambients();
+
 /// `options` must outlive `app`'s parsing.
 void add_light_map_options(CLI::App& app, LightMapCommandOptions& options);
 
