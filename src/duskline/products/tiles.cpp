@@ -36,7 +36,7 @@ void draw_glyph(GridView<std::uint8_t> picture, std::uint16_t glyph, TilePlace a
         for (std::size_t x = 0; x < kGlyphColumns * scale; ++x) {
             const std::size_t bit = kGlyphRows * kGlyphColumns - 1 - (y / scale * kGlyphColumns + x / scale);
             const bool inside = at.row + y < picture.rows() && at.column + x < picture.columns();
-            if (inside && ((glyph >> bit) & 1U) != 0)
+            if (inside && ((static_cast<unsigned int>(glyph) >> bit) & 1U) != 0)
                 picture(at.row + y, at.column + x) = kText;
         }
 }
