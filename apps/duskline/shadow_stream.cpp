@@ -20,7 +20,9 @@
 #include <duskline/raster_io/memory_need.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <string_view>
 #include <type_traits>
 
 namespace duskline::cli {
@@ -175,17 +177,31 @@ ShadowOutcome run_stream(const ShadowJob& job)
                                                : Stream<Front, Lit>(job).run();
 }
 
+// The casters that have a front to be fed line by line.
+struct FedCaster {
+    std::string_view name;
+    ShadowOutcome (*run)(const ShadowJob&);
+};
+
+constexpr std::array kFedCasters = {FedCaster{"sweep", run_stream<SweepFront>},
+                                    FedCaster{"strider", run_stream<StriderFront>}};
+
+const FedCaster* fed_caster(const Caster& caster)
+{
+    const auto* const found = std::ranges::find(kFedCasters, caster.name, &FedCaster::name);
+    return found == kFedCasters.end() ? nullptr : found;
+}
+
 } // namespace
 
 bool can_stream(const Caster& caster, ShadowResult result)
 {
-    return (caster.name == "sweep" || caster.name == "strider")
-           && (result == ShadowResult::mask || result == ShadowResult::heights);
+    return fed_caster(caster) != nullptr && (result == ShadowResult::mask || result == ShadowResult::heights);
 }
 
 ShadowOutcome cast_in_stream(const ShadowJob& job)
 {
-    return job.caster.name == "sweep" ? run_stream<SweepFront>(job) : run_stream<StriderFront>(job);
+    return fed_caster(job.caster)->run(job);
 }
 
 } // namespace duskline::cli

@@ -23,8 +23,6 @@ Band cut_into_strips(std::ptrdiff_t first_beam, std::ptrdiff_t last_beam, std::s
     return band;
 }
 
-} // namespace
-
 std::vector<Band> bands_of_equal_work(const kernels::StripLines& lines, std::size_t bands, bool along_rows)
 {
     const std::size_t widest = along_rows ? kMostBeamsAlongRows : kMostBeamsInBand;
@@ -64,6 +62,30 @@ std::vector<Band> bands_of_equal_work(const kernels::StripLines& lines, std::siz
     }
     end_band(lines.last_beam);
     return cut;
+}
+
+} // namespace
+
+std::vector<Band> bands_for_threads(const kernels::StripLines& lines, std::size_t threads, bool along_rows,
+                                    std::size_t most)
+{
+    return bands_of_equal_work(lines, threads == 1 ? 1 : std::min(kBandsPerThread * threads, most),
+                               along_rows);
+}
+
+kernels::StripLines lines_under_beams(std::size_t cells, std::size_t first_line,
+                                      const std::vector<kernels::BeamShift>& shifts, double lateral,
+                                      std::ptrdiff_t first_beam, std::ptrdiff_t last_beam)
+{
+    kernels::StripLines lines;
+    lines.cells = cells;
+    lines.first_line = first_line;
+    lines.lines = shifts.size();
+    lines.shifts = shifts.data();
+    lines.sideways = lateral < 0.0 ? -1 : 1;
+    lines.first_beam = first_beam;
+    lines.last_beam = last_beam;
+    return lines;
 }
 
 } // namespace duskline

@@ -7,10 +7,13 @@
 #include <duskline/casting/kernels/kernels.h>
 #include <duskline/casting/light_frame.h>
 #include <duskline/casting/shadow_mask.h>
+#include <duskline/execution/progress.h>
+#include <duskline/terrain/height_field.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -33,12 +36,20 @@ inline constexpr std::size_t kLinesPerBlock = 128;
 /// the end of the last.
 using Band = std::vector<std::ptrdiff_t>;
 
-/// Cuts the beams into at least `bands` bands with about as many cells each, since beams that enter or leave the
-/// grid on the way meet fewer. `along_rows`: cells of a line lie side by side in memory, and a band is one strip.
-std::vector<Band> bands_of_equal_work(const kernels::StripLines& lines, std::size_t bands, bool along_rows);
+/// Cuts the beams into bands with about as many cells each, since beams that enter or leave the grid on the way meet
+/// fewer: at least one to each thread, or `most` when that is less. `along_rows`: cells of a line lie side by side in
+/// memory, and a band is one strip.
+std::vector<Band> bands_for_threads(const kernels::StripLines& lines, std::size_t threads, bool along_rows,
+                                    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// Where the beams of a light stand over each of some lines.
 std::vector<kernels::BeamShift> beam_shifts(double lateral, std::size_t first_line, std::size_t lines);
+
+/// Lines of `cells` cells, one for each shift, under the beams [first_beam, last_beam) of light that moves sideways by
+/// `lateral` cells a line. Keeps a view of the shifts; where the heights are is for a walk to say.
+kernels::StripLines lines_under_beams(std::size_t cells, std::size_t first_line,
+                                      const std::vector<kernels::BeamShift>& shifts, double lateral,
+                                      std::ptrdiff_t first_beam, std::ptrdiff_t last_beam);
 
 inline std::uint8_t* as_bytes(Lit* lit)
 {
@@ -272,6 +283,19 @@ void walk_band(const kernels::Kernels& kernels, const kernels::StripLines& lines
     BandWalk<Answer, kLinesBefore, Carry>(kernels, lines, band, heights, answers, unanswered_lines,
                                           std::move(carry))
         .walk();
+}
+
+/// All cells of a field by a front that is fed line by line: SweepFront, StriderFront.
+template <typename Front, typename Answer>
+Grid<Answer> advance_over_all(const HeightField& field, const DirectionalLight& light,
+                              const Execution& execution)
+{
+    const LightFrame frame = light_frame(light, field.cell_size_m);
+    Grid<Answer> answers(field.rows(), field.columns());
+    const auto heights = in_light_order(field.heights_m, frame);
+    Front(heights.lines, heights.cells, frame)
+        .advance(heights, in_light_order(answers.view(), frame), execution);
+    return answers;
 }
 
 } // namespace duskline

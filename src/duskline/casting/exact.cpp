@@ -579,20 +579,11 @@ void cast_part(const HeightField& field, const DirectionalLight& light, double h
                     static_cast<float>(kRounding * (highest_m + drop_m * lines_per_tilt))};
 
     const auto shifts = beam_shifts(frame.lateral, part.first_line, lines_there);
-    StripLines all;
-    all.cells = heights.cells;
-    all.first_line = part.first_line;
-    all.lines = lines_there;
-    all.shifts = shifts.data();
-    all.sideways = cast.sideways;
-    all.first_beam = part.first_beam;
-    all.last_beam = part.last_beam;
-
-    const std::size_t threads = thread_count(execution);
+    const StripLines all = lines_under_beams(heights.cells, part.first_line, shifts, frame.lateral,
+                                             part.first_beam, part.last_beam);
     const auto wide_enough =
         static_cast<std::size_t>(part.last_beam - part.first_beam) / kLeastBeamsInBand + 1;
-    const std::size_t wanted = threads == 1 ? 1 : std::min(kBandsPerThread * threads, wide_enough);
-    const auto bands = bands_of_equal_work(all, wanted, heights.cell_step == 1);
+    const auto bands = bands_for_threads(all, thread_count(execution), heights.cell_step == 1, wide_enough);
     for_rows(bands.size(), 1, execution, [&](std::size_t i, std::size_t) {
         const Band& band = bands[i];
         std::vector<FrontStrip> fronts;

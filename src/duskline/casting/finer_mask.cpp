@@ -11,6 +11,7 @@
 #include <duskline/execution/for_rows.h>
 #include <duskline/terrain/ground_height.h>
 #include <duskline/terrain/refined.h>
+#include <duskline/terrain/require_same_size.h>
 
 #include <cmath>
 #include <string>
@@ -24,14 +25,11 @@ constexpr std::size_t kRowsPerPiece = 4;
 
 void require_sizes(const HeightField& field, const ShadowMask& mask, const HeightField& finer)
 {
-    if (mask.rows() != field.rows() || mask.columns() != field.columns())
-        throw InvalidInput("a mask must have the size of the terrain, " + std::to_string(field.rows()) + " x "
-                           + std::to_string(field.columns()) + ", got " + std::to_string(mask.rows()) + " x "
-                           + std::to_string(mask.columns()));
+    require_same_size("the mask", mask, field);
     if (finer.rows() < field.rows() || finer.columns() < field.columns())
         throw InvalidInput("finer cells must be at least as many as those of the terrain, "
-                           + std::to_string(field.rows()) + " x " + std::to_string(field.columns()) + ", got "
-                           + std::to_string(finer.rows()) + " x " + std::to_string(finer.columns()));
+                           + size_text(field.rows(), field.columns()) + ", got "
+                           + size_text(finer.rows(), finer.columns()));
 }
 
 template <typename Light>

@@ -169,18 +169,6 @@ void pass_lines(const StripLines& strip, const LightFrame& frame, float* line_m,
     }
 }
 
-template <typename Answer>
-Grid<Answer> stride_over_all(const HeightField& field, const DirectionalLight& light,
-                             const Execution& execution)
-{
-    const LightFrame frame = light_frame(light, field.cell_size_m);
-    Grid<Answer> answers(field.rows(), field.columns());
-    const auto heights = in_light_order(field.heights_m, frame);
-    StriderFront(heights.lines, heights.cells, frame)
-        .advance(heights, in_light_order(answers.view(), frame), execution);
-    return answers;
-}
-
 } // namespace
 
 StriderFront::StriderFront(std::size_t lines, std::size_t cells, const LightFrame& frame)
@@ -212,18 +200,9 @@ void StriderFront::advance_tracks(const LightOrder<const float>& heights, const 
     if (heights.lines == 0 || cells_ == 0)
         return;
     const auto shifts = shifts_of_tracks(frame_.lateral, next_line_, heights.lines);
-    StripLines all;
-    all.cells = cells_;
-    all.first_line = next_line_;
-    all.lines = heights.lines;
-    all.shifts = shifts.data();
-    all.sideways = frame_.lateral < 0.0 ? -1 : 1;
-    all.first_beam = first_track_;
-    all.last_beam = first_track_ + static_cast<std::ptrdiff_t>(line_m_.size());
-
-    const std::size_t threads = thread_count(execution);
-    const auto bands =
-        bands_of_equal_work(all, threads == 1 ? 1 : kBandsPerThread * threads, heights.cell_step == 1);
+    const StripLines all = lines_under_beams(cells_, next_line_, shifts, frame_.lateral, first_track_,
+                                             first_track_ + static_cast<std::ptrdiff_t>(line_m_.size()));
+    const auto bands = bands_for_threads(all, thread_count(execution), heights.cell_step == 1);
     for_rows(bands.size(), 1, execution, [&](std::size_t i, std::size_t) {
         walk_band<0>(kernels::active_kernels(), all, bands[i], heights, answers,
                      [&](std::size_t, const StripLines& strip, Answer* out, std::ptrdiff_t out_step) {
@@ -241,7 +220,7 @@ ShadowMask cast_by_strider(const HeightField& field, const DirectionalLight& lig
     require_valid(light);
     if (const auto answer = uniform_answer(light))
         return uniform_mask(field, *answer);
-    return stride_over_all<Lit>(field, light, execution);
+    return advance_over_all<StriderFront, Lit>(field, light, execution);
 }
 
 ShadowField shadow_heights_by_strider(const HeightField& field, const DirectionalLight& light,
@@ -251,7 +230,7 @@ ShadowField shadow_heights_by_strider(const HeightField& field, const Directiona
     require_valid(light);
     if (const auto answer = uniform_answer(light))
         return uniform_shadow_heights(field, *answer);
-    return stride_over_all<float>(field, light, execution);
+    return advance_over_all<StriderFront, float>(field, light, execution);
 }
 
 } // namespace duskline

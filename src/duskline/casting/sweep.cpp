@@ -80,23 +80,6 @@ private:
     std::size_t newer_ = 0;
 };
 
-SweepFront front_for(const HeightField& field, const LightFrame& frame)
-{
-    const std::size_t lines = frame.lines_are_rows ? field.rows() : field.columns();
-    const std::size_t cells = frame.lines_are_rows ? field.columns() : field.rows();
-    return {lines, cells, frame};
-}
-
-template <typename Answer>
-Grid<Answer> sweep_all(const HeightField& field, const DirectionalLight& light, const Execution& execution)
-{
-    const LightFrame frame = light_frame(light, field.cell_size_m);
-    Grid<Answer> answers(field.rows(), field.columns());
-    front_for(field, frame)
-        .advance(in_light_order(field.heights_m, frame), in_light_order(answers.view(), frame), execution);
-    return answers;
-}
-
 } // namespace
 
 SweepFront::SweepFront(std::size_t lines, std::size_t cells, const LightFrame& frame)
@@ -141,18 +124,10 @@ void SweepFront::advance_strips(const LightOrder<const float>& heights, const Li
     if (heights.lines == 0 || cells_ == 0)
         return;
     const auto shifts = beam_shifts(frame_.lateral, next_line_, heights.lines);
-    StripLines all;
-    all.cells = cells_;
-    all.first_line = next_line_;
-    all.lines = heights.lines;
-    all.shifts = shifts.data();
-    all.sideways = frame_.lateral < 0.0 ? -1 : 1;
-    all.first_beam = first_beam_;
-    all.last_beam = first_beam_ + static_cast<std::ptrdiff_t>(front_m_[0].size()) - 2;
-
-    const std::size_t threads = thread_count(execution);
-    const auto bands =
-        bands_of_equal_work(all, threads == 1 ? 1 : kBandsPerThread * threads, heights.cell_step == 1);
+    const StripLines all =
+        lines_under_beams(cells_, next_line_, shifts, frame_.lateral, first_beam_,
+                          first_beam_ + static_cast<std::ptrdiff_t>(front_m_[0].size()) - 2);
+    const auto bands = bands_for_threads(all, thread_count(execution), heights.cell_step == 1);
     for_rows(bands.size(), 1, execution, [&](std::size_t i, std::size_t) {
         const Band& band = bands[i];
         std::vector<CarriedComb> combs; // of each strip one, or one and the one halfway
@@ -188,7 +163,7 @@ ShadowMask cast_by_sweep(const HeightField& field, const DirectionalLight& light
     require_valid(light);
     if (const auto answer = uniform_answer(light))
         return uniform_mask(field, *answer);
-    return sweep_all<Lit>(field, light, execution);
+    return advance_over_all<SweepFront, Lit>(field, light, execution);
 }
 
 ShadowField shadow_heights_by_sweep(const HeightField& field, const DirectionalLight& light,
@@ -198,7 +173,7 @@ ShadowField shadow_heights_by_sweep(const HeightField& field, const DirectionalL
     require_valid(light);
     if (const auto answer = uniform_answer(light))
         return uniform_shadow_heights(field, *answer);
-    return sweep_all<float>(field, light, execution);
+    return advance_over_all<SweepFront, float>(field, light, execution);
 }
 
 } // namespace duskline

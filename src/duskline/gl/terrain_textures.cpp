@@ -1,5 +1,6 @@
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/terrain_textures.h>
+#include <duskline/terrain/require_same_size.h>
 #include <duskline/view/level_of_detail.h>
 
 #include <algorithm>
@@ -14,11 +15,6 @@ namespace {
 std::size_t all_levels(const HeightField& field)
 {
     return static_cast<std::size_t>(std::bit_width(std::max(field.rows(), field.columns())));
-}
-
-std::string size_text(std::size_t rows, std::size_t columns)
-{
-    return std::to_string(rows) + " x " + std::to_string(columns);
 }
 
 bool has_holes(const HeightField& field)
@@ -38,10 +34,7 @@ TerrainTextures::TerrainTextures(const HeightField& field, GridView<const std::a
       mesh_heights_(TextureFormat::r32f, field.columns(), field.rows(), all_levels(field)),
       ground_(TextureFormat::srgb8_alpha8, field.columns(), field.rows(), all_levels(field))
 {
-    if (ground.rows() != field.rows() || ground.columns() != field.columns())
-        throw InvalidInput("the ground's colours must have the size of the terrain, "
-                           + size_text(field.rows(), field.columns()) + ", got "
-                           + size_text(ground.rows(), ground.columns()));
+    require_same_size("the ground's colours", ground, field);
     heights_.upload(field.heights_m);
     mesh_heights_.set_filter(Texture::Filter::trilinear);
     mesh_heights_.upload(filled_m_.empty() ? field.heights_m : GridView<const float>(filled_m_.view()));

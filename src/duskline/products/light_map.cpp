@@ -11,6 +11,7 @@
 
 #include <duskline/execution/for_rows.h>
 #include <duskline/products/light_map.h>
+#include <duskline/terrain/require_same_size.h>
 
 #include <algorithm>
 #include <cmath>
@@ -143,18 +144,6 @@ bool is_light(Colour colour)
            && std::min({colour.red, colour.green, colour.blue}) >= 0.0f;
 }
 
-std::string size_text(std::size_t rows, std::size_t columns)
-{
-    return std::to_string(rows) + " x " + std::to_string(columns);
-}
-
-void require_same_size(const char* what, std::size_t rows, std::size_t columns, const HeightField& field)
-{
-    if (rows != field.rows() || columns != field.columns())
-        throw InvalidInput(std::string(what) + " must have the size of the terrain, "
-                           + size_text(field.rows(), field.columns()) + ", got " + size_text(rows, columns));
-}
-
 void require_colour(Colour colour)
 {
     if (!is_light(colour))
@@ -174,9 +163,9 @@ void require_valid(const MapLight& light, const HeightField& field)
                            + std::to_string(light.reach_m));
     require_colour(light.colour);
     if (const auto* mask = std::get_if<GridView<const Lit>>(&light.lit))
-        require_same_size("the mask", mask->rows(), mask->columns(), field);
+        require_same_size("the mask", *mask, field);
     if (const auto* fraction = std::get_if<GridView<const float>>(&light.lit))
-        require_same_size("the lit fraction", fraction->rows(), fraction->columns(), field);
+        require_same_size("the lit fraction", *fraction, field);
 }
 
 void require_valid(const LightMapOptions& options)
@@ -257,7 +246,7 @@ LightMap light_map(const HeightField& field, const NormalField& normals, std::sp
 {
     require_valid(field);
     require_valid(options);
-    require_same_size("the normals", normals.rows(), normals.columns(), field);
+    require_same_size("the normals", normals, field);
     for (const MapLight& light : lights)
         require_valid(light, field);
 

@@ -4,6 +4,7 @@
 #include <duskline/products/ground_colours.h>
 #include <duskline/products/relief.h>
 #include <duskline/terrain/normals.h>
+#include <duskline/terrain/require_same_size.h>
 
 #include <algorithm>
 #include <array>
@@ -226,18 +227,6 @@ private:
     SrgbEncoder encoder_;
 };
 
-std::string size_text(std::size_t rows, std::size_t columns)
-{
-    return std::to_string(rows) + " x " + std::to_string(columns);
-}
-
-void require_same_size(const char* what, std::size_t rows, std::size_t columns, const HeightField& field)
-{
-    if (rows != field.rows() || columns != field.columns())
-        throw InvalidInput(std::string(what) + " must have the size of the terrain, "
-                           + size_text(field.rows(), field.columns()) + ", got " + size_text(rows, columns));
-}
-
 void require_valid(const ReliefOptions& options)
 {
     if (!(options.ambient >= 0.0 && options.ambient < 1.0))
@@ -278,9 +267,9 @@ Picture relief(const HeightField& field, const DirectionalLight& light, const Li
     require_valid(field);
     duskline::require_valid(light);
     require_valid(options);
-    require_same_size("the lit fraction", lit.rows(), lit.columns(), field);
+    require_same_size("the lit fraction", lit, field);
     if (!options.texture.empty())
-        require_same_size("the texture", options.texture.rows(), options.texture.columns(), field);
+        require_same_size("the texture", options.texture, field);
 
     const Painter painter(field, light, lit, options, execution);
     Picture picture(field.rows(), field.columns());

@@ -1,21 +1,13 @@
 #include <duskline/execution/for_rows.h>
 #include <duskline/products/shadow_classes.h>
 #include <duskline/terrain/normals.h>
+#include <duskline/terrain/require_same_size.h>
 
-#include <string>
 #include <vector>
 
 namespace duskline {
 
 namespace {
-
-void require_same_size(const HeightField& field, const ShadowMask& mask)
-{
-    if (mask.rows() != field.rows() || mask.columns() != field.columns())
-        throw InvalidInput("the mask must have the size of the heights, " + std::to_string(field.rows())
-                           + " x " + std::to_string(field.columns()) + ", got " + std::to_string(mask.rows())
-                           + " x " + std::to_string(mask.columns()));
-}
 
 ShadowClass class_of(Lit lit, bool looks_away)
 {
@@ -33,7 +25,7 @@ ShadowClasses shadow_classes(const HeightField& field, const ShadowMask& mask, c
 {
     require_valid(field);
     require_valid(light);
-    require_same_size(field, mask);
+    require_same_size("the mask", mask, field);
     const Vector3 towards = direction_towards(light);
     ShadowClasses classes(field.rows(), field.columns());
     for_rows(field.rows(), 16, execution, [&](std::size_t first, std::size_t last) {

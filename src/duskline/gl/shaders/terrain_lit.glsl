@@ -6,6 +6,8 @@
 //   2             heights of shadow: lit is what lies at or above
 //   3             two of them, of the disc's two edges
 
+#include "terrain_shadow.glsl" // disc_above
+
 uniform sampler2D heights_m; // NaN where there are no data
 uniform sampler2D shadow;
 uniform float shadow_drop_m; // the height a shadow loses over the diagonal of a cell
@@ -69,7 +71,7 @@ float lit_at(vec2 cell, float width)
     float soft = clamp(width, 0.02, 1.0);
     return smoothstep(-soft, soft, clearance_between(cell));
 #else
-    return 0.5 + 0.5 * clearance_between(cell);
+    return disc_above(-clearance_between(cell));
 #endif
 }
 
