@@ -2,6 +2,7 @@
 // truth.
 
 #include "mask_assertions.h"
+#include "plain_surface.h"
 #include "terrains.h"
 
 #include <duskline/casting/ray.h>
@@ -29,7 +30,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 class PlainLampDefinition {
 public:
     PlainLampDefinition(const HeightField& field, const PointLight& lamp)
-        : field_(field), lamp_(lamp.position)
+        : field_(field), surface_(field), lamp_(lamp.position)
     {}
 
     double shadow_height_m(double row, double column) const
@@ -40,7 +41,7 @@ public:
         const auto cross = [&](long double share, long double line, long double at, bool is_column) {
             if (!(share > 0.0L && share < 1.0L))
                 return;
-            const long double surface = surface_m(line, at, is_column);
+            const long double surface = surface_.height_m(line, at, is_column);
             if (!std::isinf(surface))
                 shadow_m = std::max(shadow_m, (surface - lamp_.height_m * share) / (1.0L - share));
         };
@@ -58,33 +59,8 @@ public:
     }
 
 private:
-    long double surface_m(long double line, long double at, bool is_column) const
-    {
-        constexpr long double slack = 1e-6L;
-        const long double left = std::floor(at);
-        const long double t = at - left;
-        const long double a = sample(line, left, is_column);
-        const long double b = sample(line, left + 1.0L, is_column);
-        if (!std::isnan(a) && !std::isnan(b))
-            return a + (b - a) * t;
-        if (!std::isnan(a) && t <= slack)
-            return a;
-        if (!std::isnan(b) && t >= 1.0L - slack)
-            return b;
-        return -kInfinity;
-    }
-
-    long double sample(long double line, long double at, bool is_column) const
-    {
-        const long double row = is_column ? at : line;
-        const long double column = is_column ? line : at;
-        if (row < 0.0L || column < 0.0L || row >= static_cast<long double>(field_.rows())
-            || column >= static_cast<long double>(field_.columns()))
-            return kNan;
-        return field_.heights_m(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
-    }
-
     HeightField field_;
+    PlainSurface surface_;
     GridPoint lamp_;
 };
 

@@ -1,4 +1,5 @@
 #include "mask_assertions.h"
+#include "plain_surface.h"
 #include "terrains.h"
 
 #include <duskline/casting/ray.h>
@@ -24,7 +25,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 // columns of the grid, no symmetry, no way out before the last crossing.
 class PlainDefinition {
 public:
-    PlainDefinition(const HeightField& field, const DirectionalLight& light) : field_(field)
+    PlainDefinition(const HeightField& field, const DirectionalLight& light) : field_(field), surface_(field)
     {
         const long double degree = std::numbers::pi_v<long double> / 180.0L;
         const long double azimuth = std::remainder(light.azimuth.degrees(), 360.0) * degree;
@@ -45,7 +46,8 @@ public:
             const long double r = row + rows_per_metre_ * metres;
             const long double c = column + columns_per_metre_ * metres;
             shadow_m =
-                std::max(shadow_m, (row_line ? surface_m(r, c) : surface_m(c, r, true)) - climb_ * metres);
+                std::max(shadow_m, (row_line ? surface_.height_m(r, c, false) : surface_.height_m(c, r, true))
+                                       - climb_ * metres);
         };
         if (rows_per_metre_ != 0.0L)
             for (std::size_t r = 0; r < field_.rows(); ++r)
@@ -57,34 +59,8 @@ public:
     }
 
 private:
-    // The surface on the row (or column) `line`, at a fraction of a cell along it.
-    long double surface_m(long double line, long double at, bool is_column = false) const
-    {
-        constexpr long double slack = 1e-6L;
-        const long double left = std::floor(at);
-        const long double t = at - left;
-        const long double a = sample(std::round(line), left, is_column);
-        const long double b = sample(std::round(line), left + 1.0L, is_column);
-        if (!std::isnan(a) && !std::isnan(b))
-            return a + (b - a) * t;
-        if (!std::isnan(a) && t <= slack)
-            return a;
-        if (!std::isnan(b) && t >= 1.0L - slack)
-            return b;
-        return -kInfinity;
-    }
-
-    long double sample(long double line, long double at, bool is_column) const
-    {
-        const long double row = is_column ? at : line;
-        const long double column = is_column ? line : at;
-        if (row < 0.0L || column < 0.0L || row >= static_cast<long double>(field_.rows())
-            || column >= static_cast<long double>(field_.columns()))
-            return kNan;
-        return field_.heights_m(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
-    }
-
     HeightField field_;
+    PlainSurface surface_;
     long double columns_per_metre_;
     long double rows_per_metre_;
     long double climb_;
