@@ -22,8 +22,9 @@ MAY_INCLUDE = {
     "raster_io": {"geometry", "execution", "terrain", "light", "casting"},
     # Cameras and what of a terrain they see; no OpenGL.
     "view": {"geometry", "execution", "terrain"},
-    "planet": {"geometry", "terrain"},
-    "gl": {"geometry", "execution", "terrain", "light", "casting", "view"},
+    # Globes, their tiles, and what of them a camera sees; no OpenGL.
+    "planet": {"geometry", "execution", "terrain", "view"},
+    "gl": {"geometry", "execution", "terrain", "light", "casting", "view", "planet"},
 }
 
 # Include lines of a library -> the folder, or folders, that may have them. Examples may show OpenGL of their own.

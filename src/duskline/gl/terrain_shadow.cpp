@@ -1,3 +1,4 @@
+#include <duskline/geometry/cross_product.h>
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/terrain_shadow.h>
 
@@ -7,11 +8,6 @@
 namespace duskline::gl {
 
 namespace {
-
-Vector3 cross(Vector3 a, Vector3 b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 // p -> dot(direction, p - origin), in the components of a vec4.
 BlockVec4 measured_along(Vector3 direction, Vector3 origin)

@@ -1,3 +1,4 @@
+#include <duskline/geometry/cross_product.h>
 #include <duskline/terrain/ground_height.h>
 #include <duskline/view/camera.h>
 
@@ -15,11 +16,6 @@ constexpr Angle kSteepest = Angle::from_degrees(89.9);
 
 // How much of its picture an overview fills.
 constexpr double kFilled = 0.92;
-
-Vector3 cross(const Vector3& a, const Vector3& b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 double extent_m(const HeightField& field)
 {
