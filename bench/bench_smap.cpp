@@ -132,13 +132,16 @@ void add_all(const Sun& sun)
         {"binary", NextVSearch::binary},
         {"quad", NextVSearch::quad},
         {"parallel_quad", NextVSearch::parallel_quad}};
+    // Clang 14 cannot capture structured bindings by their names.
     for (const auto& [name, search] : searches)
-        add(std::string("build/") + name, sun,
-            [=](benchmark::State& state, const Sun& from) { time_build(state, from, {.search = search}); });
-    for (const auto& [name, search] : searches)
-        add(std::string("build_nearest/") + name, sun, [=](benchmark::State& state, const Sun& from) {
-            time_build(state, from, {.search = search, .better_next_v = false});
+        add(std::string("build/") + name, sun, [by = search](benchmark::State& state, const Sun& from) {
+            time_build(state, from, {.search = by});
         });
+    for (const auto& [name, search] : searches)
+        add(std::string("build_nearest/") + name, sun,
+            [by = search](benchmark::State& state, const Sun& from) {
+                time_build(state, from, {.search = by, .better_next_v = false});
+            });
     add("map", sun, [](benchmark::State& state, const Sun& from) { time_map(state, from, {}); });
     add("map_nearest", sun,
         [](benchmark::State& state, const Sun& from) { time_map(state, from, {.better_next_v = false}); });
