@@ -1,0 +1,293 @@
+#include <duskline/gl/planet_renderer.h>
+#include <duskline/gl/reversed_depth.h>
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <unordered_set>
+
+namespace duskline::gl {
+
+namespace {
+
+enum Unit : int { heights, measured, shadow_heights };
+
+constexpr double kNearest_m = 0.1;
+
+using Float3 = std::array<float, 3>;
+
+Float3 as_floats(const Vector3& v)
+{
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+// PlanetTile of planet_surface.glsl, laid out as std430 wants it.
+struct TileOnCard {
+    Float3 centre_m;
+    float step;
+    Float3 right;
+    float reference_m;
+    Float3 up;
+    float morph_begin_m;
+    Float3 middle;
+    float morph_per_m;
+    std::int32_t layer;
+    std::int32_t parent_layer;
+    std::array<std::int32_t, 2> in_parent;
+    std::int32_t has_shadow;
+    std::int32_t parent_has_shadow;
+    std::array<std::int32_t, 2> unused;
+};
+static_assert(sizeof(TileOnCard) == 96);
+
+constexpr std::uint32_t kCornersPerLine = kTileSquares + 1;
+
+// Corner `i` of the border, counted once round: column and row.
+std::array<std::uint32_t, 2> border_corner(std::uint32_t i)
+{
+    constexpr std::uint32_t side = kTileSquares;
+    const std::uint32_t along = i % side;
+    switch (i / side) {
+    case 0:
+        return {along, 0};
+    case 1:
+        return {side, along};
+    case 2:
+        return {side - along, side};
+    default:
+        return {0, side - along};
+    }
+}
+constexpr std::uint32_t kBorderCorners = 4 * kTileSquares;
+
+// Column, row and 0; then the border once more with 1: the lower end of the seams.
+std::vector<float> patch_corners()
+{
+    std::vector<float> corners;
+    for (std::uint32_t row = 0; row < kCornersPerLine; ++row)
+        for (std::uint32_t column = 0; column < kCornersPerLine; ++column)
+            corners.insert(corners.end(), {static_cast<float>(column), static_cast<float>(row), 0.0f});
+    for (std::uint32_t i = 0; i < kBorderCorners; ++i) {
+        const auto [column, row] = border_corner(i);
+        corners.insert(corners.end(), {static_cast<float>(column), static_cast<float>(row), 1.0f});
+    }
+    return corners;
+}
+
+// Two triangles a square, counter-clockwise from outside, parted along the diagonal on which the parent's squares are.
+void add_squares(std::vector<std::uint32_t>& indices)
+{
+    // In strips so narrow that cards still know the row before.
+    constexpr std::uint32_t strip = 16;
+    for (std::uint32_t first = 0; first < kTileSquares; first += strip)
+        for (std::uint32_t row = 0; row < kTileSquares; ++row)
+            for (std::uint32_t column = first; column < first + strip; ++column) {
+                const std::uint32_t low = row * kCornersPerLine + column;
+                const std::uint32_t high = low + kCornersPerLine;
+                indices.insert(indices.end(), {low, low + 1, high + 1, low, high + 1, high});
+            }
+}
+
+void add_seams(std::vector<std::uint32_t>& indices)
+{
+    const auto upper = [](std::uint32_t i) {
+        const auto [column, row] = border_corner(i);
+        return row * kCornersPerLine + column;
+    };
+    const auto lower = [](std::uint32_t i) { return kCornersPerLine * kCornersPerLine + i; };
+    for (std::uint32_t i = 0; i < kBorderCorners; ++i) {
+        const std::uint32_t next = (i + 1) % kBorderCorners;
+        indices.insert(indices.end(), {upper(i), lower(i), lower(next), upper(i), lower(next), upper(next)});
+    }
+}
+
+// All tiles and their parents, each once.
+std::vector<PlanetTile> tiles_needed(std::span<const PlanetPatch> patches)
+{
+    std::unordered_set<PlanetTile> tiles;
+    for (const PlanetPatch& patch : patches) {
+        tiles.insert(patch.tile);
+        if (patch.tile.level > 0)
+            tiles.insert(parent_of(patch.tile));
+    }
+    return {tiles.begin(), tiles.end()};
+}
+
+// What has no end does not turn; a thousandth early, so that float distances do not fall short.
+void set_morph(TileOnCard& tile, const MorphRange& morph)
+{
+    if (!std::isfinite(morph.end_m))
+        return;
+    tile.morph_begin_m = static_cast<float>(morph.begin_m);
+    tile.morph_per_m = static_cast<float>(1.0 / (0.999 * morph.end_m - morph.begin_m));
+}
+
+} // namespace
+
+PlanetRenderer::PlanetRenderer(const ShaderSources& sources, const Globe& globe,
+                               PlanetTextures::HeightsOf heights_of)
+    : sources_(sources), globe_(globe), textures_(std::move(heights_of)),
+      depth_(sources, {.stages = {"planet_depth.vert.glsl"}}),
+      sky_(sources, {.stages = {"full_screen.vert.glsl", "planet_sky.frag.glsl"}})
+{
+    require_valid(globe);
+    require_reversed_depth();
+    corners_.upload(patch_corners());
+    std::vector<std::uint32_t> indices;
+    add_squares(indices);
+    add_seams(indices);
+    patch_indices_ = indices.size();
+    indices_.upload(indices);
+    patch_.set_floats(0, corners_, 3, 3 * sizeof(float));
+    patch_.set_indices(indices_);
+}
+
+const Program& PlanetRenderer::ground_program(ShadowKind kind)
+{
+    auto& program = ground_programs_.at(static_cast<std::size_t>(kind));
+    if (!program)
+        program.emplace(sources_,
+                        ProgramDescription{{"planet.vert.glsl", "planet.frag.glsl"},
+                                           {{"PLANET_SHADOW", std::to_string(static_cast<int>(kind))}}});
+    return *program;
+}
+
+void PlanetRenderer::hold(std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
+{
+    const std::vector<PlanetTile> tiles = tiles_needed(patches);
+    textures_.hold(tiles);
+    if (shadow.heights != nullptr)
+        textures_.hold_shadows(tiles, *shadow.heights);
+}
+
+void PlanetRenderer::upload_tiles(const Vector3& eye_m, std::span<const PlanetPatch> patches)
+{
+    std::vector<TileOnCard> on_card;
+    on_card.reserve(patches.size());
+    for (const PlanetPatch& patch : patches) {
+        const PlanetTile& tile = patch.tile;
+        const PlanetTextures::Layer& own = textures_.layer_of(tile);
+        const PlanetTextures::Layer& parent = textures_.layer_of(tile.level > 0 ? parent_of(tile) : tile);
+        const CubeFaceAxes face = axes_of_face(tile.face);
+        const FacePlace middle = sample_place(tile, kTileSquares / 2.0, kTileSquares / 2.0);
+        TileOnCard here = {};
+        // The one difference of large numbers, in double.
+        here.centre_m = as_floats(
+            point_m(globe_, centre_direction(tile), static_cast<double>(own.reference_m)) - eye_m);
+        here.step = static_cast<float>(sample_place(tile, 0.0, 1.0).u - sample_place(tile, 0.0, 0.0).u);
+        here.right = as_floats(face.right);
+        here.reference_m = own.reference_m;
+        here.up = as_floats(face.up);
+        here.middle = as_floats(face.axis + face.right * middle.u + face.up * middle.v);
+        set_morph(here, patch.morph);
+        here.layer = own.index;
+        here.parent_layer = parent.index;
+        here.in_parent = {static_cast<std::int32_t>(tile.column % 2) * kTileSquares / 2,
+                          static_cast<std::int32_t>(tile.row % 2) * kTileSquares / 2};
+        here.has_shadow = own.shadow_version > 0 ? 1 : 0;
+        here.parent_has_shadow = parent.shadow_version > 0 ? 1 : 0;
+        on_card.push_back(here);
+    }
+    tiles_.upload(on_card);
+}
+
+void PlanetRenderer::set_surface(const Program& program) const
+{
+    const double flattening = globe_.equatorial_radius_m / globe_.polar_radius_m;
+    program.set("norm", Float3{1.0f, 1.0f, static_cast<float>(flattening * flattening)});
+    program.set("equatorial_radius_m", static_cast<float>(globe_.equatorial_radius_m));
+    textures_.heights().bind(Unit::heights);
+    textures_.measured().bind(Unit::measured);
+    textures_.shadow_heights().bind(Unit::shadow_heights);
+    program.set("planet_heights_m", static_cast<int>(Unit::heights));
+    program.set("planet_measured", static_cast<int>(Unit::measured));
+    program.set("planet_shadow_heights_m", static_cast<int>(Unit::shadow_heights));
+    tiles_.bind_as_storage(0);
+}
+
+void PlanetRenderer::set_air(const Program& program, const Vector3& eye_m, const PlanetLight& light) const
+{
+    const double stretch = globe_.equatorial_radius_m / globe_.polar_radius_m;
+    program.set("eye_stretched_m", as_floats({eye_m.x, eye_m.y, stretch * eye_m.z}));
+    program.set("polar_stretch", static_cast<float>(stretch));
+    program.set("radius_m", static_cast<float>(globe_.equatorial_radius_m));
+    program.set("towards_sun", as_floats(light.to_sun));
+    program.set("air", light.air ? 1 : 0);
+    program.set("sun_colour", light.sun_colour);
+    program.set("exposure", light.exposure);
+}
+
+void PlanetRenderer::draw_sky(const PlanetView& view, const PlanetLight& light)
+{
+    const double half_height = tangent(Angle::from_degrees(view.vertical_view.degrees() / 2.0));
+    const double aspect = static_cast<double>(view.width) / static_cast<double>(view.height);
+    sky_.use();
+    set_air(sky_, view.eye_m, light);
+    sky_.set("picture_size",
+             std::array<float, 2>{static_cast<float>(view.width), static_cast<float>(view.height)});
+    sky_.set("forward", as_floats(view.axes.forward));
+    sky_.set("half_right", as_floats(view.axes.right * (half_height * aspect)));
+    sky_.set("half_up", as_floats(view.axes.up * half_height));
+    sky_.set("sun_cosine", static_cast<float>(sine_cosine(light.sun_radius).cosine));
+    glDisable(GL_DEPTH_TEST);
+    no_vertices_.draw(VertexArray::Shape::triangles, 0, 3);
+}
+
+DrawnPlanet PlanetRenderer::draw_patches(std::size_t patches) const
+{
+    if (patches > 0)
+        patch_.draw_indexed(VertexArray::Shape::triangles, 0, patch_indices_, patches);
+    return {patches, patches * patch_indices_ / 3};
+}
+
+DrawnPlanet PlanetRenderer::draw(const PlanetView& view, const PlanetLight& light,
+                                 std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
+{
+    draw_sky(view, light);
+    return draw_ground(view, light, patches, shadow);
+}
+
+DrawnPlanet PlanetRenderer::draw_ground(const PlanetView& view, const PlanetLight& light,
+                                        std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
+{
+    hold(patches, shadow);
+    upload_tiles(view.eye_m, patches);
+    const Program& program =
+        ground_program(shadow.heights != nullptr ? ShadowKind::heights : ShadowKind::none);
+    const double aspect = static_cast<double>(view.width) / static_cast<double>(view.height);
+    program.use();
+    set_surface(program);
+    set_air(program, view.eye_m, light);
+    program.set_matrix("to_clip", eye_to_reversed_clip(view.axes, view.vertical_view, aspect, kNearest_m));
+    program.set("eye_m", as_floats(view.eye_m));
+    program.set("ambient", light.ambient);
+    program.set("living", light.living ? 1 : 0);
+    program.set("show_made", view.show_made ? 1 : 0);
+    glDisable(GL_CULL_FACE);
+    const ReversedDepth depth;
+    return draw_patches(patches.size());
+}
+
+DrawnPlanet PlanetRenderer::draw_depth(const Vector3& eye_m, const Matrix4& to_clip,
+                                       std::span<const PlanetPatch> patches)
+{
+    hold(patches, {});
+    upload_tiles(eye_m, patches);
+    depth_.use();
+    set_surface(depth_);
+    depth_.set_matrix("to_clip", to_clip);
+    return draw_patches(patches.size());
+}
+
+bool PlanetRenderer::reload_if_changed()
+{
+    bool changed = sky_.reload_if_changed(sources_);
+    changed = depth_.reload_if_changed(sources_) || changed;
+    for (auto& program : ground_programs_)
+        changed = (program && program->reload_if_changed(sources_)) || changed;
+    return changed;
+}
+
+} // namespace duskline::gl

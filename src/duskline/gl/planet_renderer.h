@@ -1,0 +1,114 @@
+#pragma once
+
+#include <duskline/gl/buffer.h>
+#include <duskline/gl/planet_textures.h>
+#include <duskline/gl/program.h>
+#include <duskline/gl/vertex_array.h>
+#include <duskline/planet/globe.h>
+#include <duskline/planet/planet_tile.h>
+#include <duskline/view/camera.h>
+#include <duskline/view/level_of_detail.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace duskline::gl {
+
+/// The light of a picture of a planet, and what its ground is like. Colours are light, red, green and blue.
+struct PlanetLight {
+    Vector3 to_sun = {1.0, 0.0, 0.0}; ///< unit vector in the planet's frame
+    std::array<float, 3> sun_colour = {1.0f, 1.0f, 1.0f};
+    Angle sun_radius = Angle::from_degrees(0.2666); ///< of the disc that is seen
+    float ambient = 0.25f;                          ///< light of level ground in shadow, 1 in the light; 0 to below 1
+    float exposure = 1.0f;                          ///< above 0
+    bool air = true;                                ///< sky, haze and dusk; else black, and dark where no sun is
+    bool living = true;                             ///< water, plants and snow; else dust
+};
+
+/// From where, and how large.
+struct PlanetView {
+    Vector3 eye_m;   ///< in the planet's frame
+    CameraAxes axes; ///< in the planet's frame
+    Angle vertical_view = Angle::from_degrees(45.0);
+    std::size_t width = 1024; ///< of the picture, pixels
+    std::size_t height = 768;
+    bool show_made = false; ///< mark ground that no file has measured
+};
+
+/// A tile to draw, and at what distances from the eye it turns into its parent. Tiles of level 0 have none: there both
+/// distances must be infinite.
+struct PlanetPatch {
+    PlanetTile tile;
+    MorphRange morph;
+};
+
+/// Where the shadows of a picture come from.
+struct PlanetShadow {
+    const PlanetShadowHeights* heights = nullptr; ///< null: only ground that faces away from the sun is dark
+};
+
+/// What was drawn.
+struct DrawnPlanet {
+    std::size_t tiles = 0;
+    std::size_t triangles = 0;
+};
+
+/// Draws planets: a mesh of tiles, everything relative to the eye so that a step and a planet fit into one picture, under
+/// a sun and a sky.
+///
+/// Draw into a Framebuffer with depth32f (see gl/reversed_depth.h). Takes texture units 0 to 2 and shader storage 0, and
+/// leaves its own there.
+class PlanetRenderer {
+public:
+    /// `sources` must outlive it. Throws ShaderError, InvalidInput for radii that are wrong, and UnsupportedOnThisMachine
+    /// where depth cannot be reversed.
+    PlanetRenderer(const ShaderSources& sources, const Globe& globe, PlanetTextures::HeightsOf heights_of);
+
+    /// Draws into the current framebuffer, whose size is the view's, over what is there; depth is cleared. Tiles on which
+    /// others lie must not be among them; the parents of all are asked for too. Throws ShaderError, and what
+    /// `PlanetTextures::hold` throws. Cost: vertices and pixels, and some 50 us for each tile that is new on the card.
+    DrawnPlanet draw(const PlanetView& view, const PlanetLight& light, std::span<const PlanetPatch> patches,
+                     const PlanetShadow& shadow = {});
+
+    /// The ground alone, without sky or sun behind it.
+    DrawnPlanet draw_ground(const PlanetView& view, const PlanetLight& light, std::span<const PlanetPatch> patches,
+                            const PlanetShadow& shadow = {});
+
+    /// Draws the depth of the same mesh as a light sees it, into the current framebuffer with the depth test as it is:
+    /// `to_clip` takes places relative to the eye, axes planet-fixed, to the light's clip space.
+    DrawnPlanet draw_depth(const Vector3& eye_m, const Matrix4& to_clip, std::span<const PlanetPatch> patches);
+
+    /// To be called when a tile's heights have changed.
+    void forget(const PlanetTile& tile) { textures_.forget(tile); }
+
+    /// Takes up changed shader files: see Program::reload_if_changed.
+    bool reload_if_changed();
+
+private:
+    enum class ShadowKind : std::uint8_t { none, map, heights };
+
+    const Program& ground_program(ShadowKind kind);
+    void hold(std::span<const PlanetPatch> patches, const PlanetShadow& shadow);
+    void upload_tiles(const Vector3& eye_m, std::span<const PlanetPatch> patches);
+    void set_surface(const Program& program) const;
+    void set_air(const Program& program, const Vector3& eye_m, const PlanetLight& light) const;
+    void draw_sky(const PlanetView& view, const PlanetLight& light);
+    DrawnPlanet draw_patches(std::size_t patches) const;
+
+    const ShaderSources& sources_;
+    Globe globe_;
+    PlanetTextures textures_;
+    std::array<std::optional<Program>, 3> ground_programs_; // built when first needed
+    Program depth_;
+    Program sky_;
+    VertexArray no_vertices_;
+    VertexArray patch_;
+    Buffer corners_;
+    Buffer indices_;
+    Buffer tiles_;
+    std::size_t patch_indices_ = 0;
+};
+
+} // namespace duskline::gl

@@ -1,0 +1,92 @@
+// A planet's ground: colours by height, slope and latitude, the light of sun and sky in the shadows that a technique has
+// found, and the air before it.
+//
+// PLANET_SHADOW   where shadows come from
+//   0             nowhere: all is lit that faces the sun
+//   1             a shadow map
+//   2             shadow heights of the tiles
+
+#version 430 core
+#include "planet_surface.glsl"
+#include "planet_air.glsl"
+#include "srgb.glsl"
+
+in vec3 from_eye_m;
+in vec3 normal;
+in vec2 at;
+in float height_m;
+in float turned;
+// Not read from `tiles` here: drivers do not read buffers for pixels that are only there for derivatives.
+flat in ivec4 tile_layers; // layers of the tile and its parent; whether they have shadow heights
+flat in ivec2 in_parent;   // where the tile begins there
+
+// What a technique may want to know of the place of a pixel.
+struct PlanetPlace {
+    vec3 from_eye_m;
+    vec2 at;        // column and row in the tile, 0 to 128
+    float height_m; // as drawn
+    float turned;   // into the parent: 0 to 1
+    ivec4 layers;   // of the tile and its parent; whether they have shadow heights
+    ivec2 in_parent;
+};
+
+#if PLANET_SHADOW == 2
+#include "planet_shadow_fronts.glsl"
+#else
+#include "planet_shadow_none.glsl"
+#endif
+
+uniform vec3 eye_m;     // from the centre, for the directions outwards
+uniform float ambient;  // light of level ground in shadow, 1 in the light
+uniform float exposure;
+uniform bool living;    // water, plants and snow; else dust
+uniform bool show_made; // mark what no file has measured
+uniform sampler2DArray planet_measured;
+
+out vec4 pixel;
+
+bool is_made()
+{
+    return texelFetch(planet_measured, ivec3(ivec2(at + 1.5), tile_layers.x), 0).r == 0.0;
+}
+
+vec3 ground_colour(vec3 outwards, float steepness)
+{
+    if (!living)
+        return mix(vec3(0.20, 0.19, 0.18), vec3(0.30, 0.29, 0.28), smoothstep(-3000.0, 4000.0, height_m));
+    if (height_m <= 0.0)
+        return vec3(0.020, 0.060, 0.120);
+    float northern = abs(outwards.z);
+    vec3 low = mix(vec3(0.085, 0.130, 0.045), vec3(0.120, 0.120, 0.070), smoothstep(0.3, 0.9, northern));
+    vec3 colour = mix(low, vec3(0.190, 0.160, 0.090), smoothstep(300.0, 1800.0, height_m));
+    colour = mix(colour, vec3(0.210, 0.180, 0.150), smoothstep(1600.0, 3200.0, height_m));
+    colour = mix(colour, vec3(0.160, 0.145, 0.130), smoothstep(0.35, 0.8, steepness));
+    float snow_line_m = 5200.0 * (1.0 - smoothstep(0.30, 0.96, northern)) - 200.0;
+    float snow = smoothstep(-300.0, 500.0, height_m - snow_line_m) * (1.0 - smoothstep(0.6, 1.2, steepness));
+    return mix(colour, vec3(0.80, 0.83, 0.87), snow);
+}
+
+vec3 light_on(vec3 outwards, float lit)
+{
+    vec3 facing = normalize(normal);
+    float sine = dot(outwards, towards_sun);
+    vec3 sun = sunlight_at(outwards, height_m) * max(0.0, dot(facing, towards_sun)) * lit;
+    float day = air ? smoothstep(-0.12, 0.25, sine) : smoothstep(0.0, 0.1, sine);
+    float open = 0.5 + 0.5 * dot(facing, outwards);
+    vec3 sky = mix(vec3(1.0), vec3(0.75, 0.90, 1.20), air ? 1.0 : 0.0) * (ambient * day * open);
+    return sun * (1.0 - ambient) * 1.6 + sky + vec3(0.004, 0.006, 0.012);
+}
+
+void main()
+{
+    vec3 outwards = normalize(eye_m + from_eye_m);
+    float upright = clamp(dot(normalize(normal), outwards), 0.02, 1.0);
+    float steepness = sqrt(1.0 - upright * upright) / upright;
+    float lit = planet_shadow(PlanetPlace(from_eye_m, at, height_m, turned, tile_layers, in_parent));
+    vec3 colour = ground_colour(outwards, steepness) * 2.2;
+    if (show_made && is_made())
+        colour = mix(colour, vec3(0.9, 0.1, 0.6), 0.35);
+    colour *= light_on(outwards, lit);
+    Haze haze = haze_before(from_eye_m);
+    pixel = vec4(srgb(soft_clip(exposure * (colour * haze.passed + haze.added))), 1.0);
+}
