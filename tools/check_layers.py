@@ -36,7 +36,7 @@ EXTERNAL = {
     r"webp/": "src/duskline/raster_io",
     r"epoxy/|GL/|EGL/|GLES": ("src/duskline/gl", "examples"),
     r"CLI/|nlohmann/|fmt/": "apps",
-    r"GLFW/|imgui": "apps/viewer",
+    r"GLFW/|imgui": ("apps/viewer", "apps/planet", "apps/window"),
 }
 
 SOURCES = {".h", ".hpp", ".inl", ".cpp", ".cc"}

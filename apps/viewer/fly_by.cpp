@@ -159,7 +159,7 @@ private:
     const ViewerOptions& options_;
     ViewerState first_;
     Scene scene_;
-    PictureTarget target_;
+    window::PictureTarget target_;
     CameraPath path_;
 };
 

@@ -35,7 +35,7 @@ void render_picture(const ViewerOptions& options, cli::Report& report)
     const gl::ShaderSources sources;
     Scene scene(viewed, clock, sources);
 
-    const PictureTarget target(kSamplesPerSide * options.width, kSamplesPerSide * options.height);
+    const window::PictureTarget target(kSamplesPerSide * options.width, kSamplesPerSide * options.height);
     target.begin();
     scene.cast(state);
     const FrameCost cost = scene.draw(state, target.width(), target.height());

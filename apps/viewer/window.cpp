@@ -1,13 +1,13 @@
 #include "window.h"
 
+#include "app_window.h"
+#include "free_name.h"
 #include "interruption.h"
 #include "panel.h"
 #include "raster_site.h"
 #include "scene.h"
 #include "stopwatch.h"
 
-#include <duskline/geometry/invalid_input.h>
-#include <duskline/gl/context.h>
 #include <duskline/gl/framebuffer.h>
 #include <duskline/gl/read_back.h>
 #include <duskline/raster_io/write_picture.h>
@@ -16,122 +16,26 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_impl_glfw.h>
-#include <imgui_impl_opengl3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
 namespace duskline::viewer {
 namespace {
+
+using window::free_name;
+using window::UserInterface;
 
 constexpr double kIdleSeconds = 0.25;
 constexpr double kPosesPerSecond = 10.0; // of a recorded flight
 constexpr double kSmoothing = 0.1;       // of the figures
 
-std::string last_glfw_error()
-{
-    const char* text = nullptr;
-    glfwGetError(&text);
-    return text != nullptr ? text : "no reason given";
-}
-
-// A window with a context of OpenGL 4.3, current.
-class Window {
-public:
-    Window(std::size_t width, std::size_t height, const std::string& title)
-    {
-        if (glfwInit() != GLFW_TRUE)
-            throw UnsupportedOnThisMachine("no window can be opened: " + last_glfw_error()
-                                           + "; --render and --flyby need no display");
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-        glfwWindowHint(GLFW_SAMPLES, 4);
-        window_ = glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr,
-                                   nullptr);
-        if (window_ == nullptr) {
-            const std::string reason = last_glfw_error();
-            glfwTerminate();
-            throw UnsupportedOnThisMachine("no window with OpenGL 4.3 can be opened: " + reason
-                                           + "; --render and --flyby can use Mesa's software renderer");
-        }
-        glfwMakeContextCurrent(window_);
-        glfwSwapInterval(1);
-        gl::current_context();
-    }
-    Window(const Window&) = delete;
-    Window& operator=(const Window&) = delete;
-    ~Window()
-    {
-        glfwDestroyWindow(window_);
-        glfwTerminate();
-    }
-
-    GLFWwindow* handle() const { return window_; }
-
-    std::pair<std::size_t, std::size_t> size() const
-    {
-        int width = 0;
-        int height = 0;
-        glfwGetFramebufferSize(window_, &width, &height);
-        return {static_cast<std::size_t>(std::max(width, 1)), static_cast<std::size_t>(std::max(height, 1))};
-    }
-
-private:
-    GLFWwindow* window_ = nullptr;
-};
-
-class UserInterface {
-public:
-    explicit UserInterface(const Window& window)
-    {
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr; // leaves no files about
-        ImGui::StyleColorsDark();
-        ImGui::GetStyle().WindowRounding = 4.0f;
-        ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
-        ImGui_ImplOpenGL3_Init("#version 430");
-    }
-    UserInterface(const UserInterface&) = delete;
-    UserInterface& operator=(const UserInterface&) = delete;
-    ~UserInterface()
-    {
-        ImGui_ImplOpenGL3_Shutdown();
-        ImGui_ImplGlfw_Shutdown();
-        ImGui::DestroyContext();
-    }
-
-    static void begin()
-    {
-        ImGui_ImplOpenGL3_NewFrame();
-        ImGui_ImplGlfw_NewFrame();
-        ImGui::NewFrame();
-    }
-    static void end()
-    {
-        ImGui::Render();
-        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    }
-};
-
-// NAME-0001.EXTENSION, the first that is not there.
-std::string free_name(const std::string& name, const std::string& extension)
-{
-    for (int i = 1;; ++i) {
-        std::string path = fmt::format("{}-{:04}{}", name, i, extension);
-        if (!std::filesystem::exists(path))
-            return path;
-    }
-}
-
 // One sitting before a window.
 class Sitting {
 public:
-    Sitting(const ViewerOptions& options, Window& window, ViewedTerrain& viewed, const SunClock& clock,
-            const gl::ShaderSources& sources)
+    Sitting(const ViewerOptions& options, window::AppWindow& window, ViewedTerrain& viewed,
+            const SunClock& clock, const gl::ShaderSources& sources)
         : window_(window), viewed_(viewed), clock_(clock), scene_(viewed, clock, sources),
           state_(first_state(options, viewed, clock))
     {
@@ -418,7 +322,7 @@ private:
         });
     }
 
-    Window& window_;
+    window::AppWindow& window_;
     ViewedTerrain& viewed_;
     const SunClock& clock_;
     Scene scene_;
@@ -441,7 +345,8 @@ gl::ShaderSources shader_sources()
 
 void show_window(const ViewerOptions& options, cli::Report& report)
 {
-    Window window(options.width, options.height, "Duskline: " + options.input.path);
+    window::AppWindow window(options.width, options.height, "Duskline: " + options.input.path,
+                             "--render and --flyby");
     ViewedTerrain viewed = read_viewed_terrain(options, report);
     const SunClock clock(cli::light_site(viewed.file.ground()), options.light.sun,
                          options.light.sun_size_deg);

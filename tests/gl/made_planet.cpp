@@ -20,7 +20,8 @@ const TileHeights& MadePlanet::heights_of(const PlanetTile& tile)
         }
     heights.range = {std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
     for (const float height_m : heights.heights_m.values())
-        heights.range = {std::min(heights.range.lowest_m, height_m), std::max(heights.range.highest_m, height_m)};
+        heights.range = {std::min(heights.range.lowest_m, height_m),
+                         std::max(heights.range.highest_m, height_m)};
     return heights;
 }
 

@@ -23,7 +23,8 @@ constexpr double kRadius_m = 6371000.0;
 MadePlanet::Height mountains(double highest_m, double waves)
 {
     return [=](const Vector3& d) {
-        const double coarse = std::sin(waves * d.x + 1.0) * std::sin(waves * d.y) * std::sin(waves * d.z + 2.0);
+        const double coarse =
+            std::sin(waves * d.x + 1.0) * std::sin(waves * d.y) * std::sin(waves * d.z + 2.0);
         const double fine = std::sin(5.3 * waves * d.x) * std::sin(4.7 * waves * d.y + 0.5);
         return highest_m * (1.0 + 0.8 * coarse + 0.2 * fine);
     };
@@ -45,7 +46,8 @@ struct Scene {
     }
 
     // The ground alone on the background's colour.
-    Pixels picture(const PlanetView& view, const std::vector<PlanetPatch>& patches, const PlanetShadow& shadow = {})
+    Pixels picture(const PlanetView& view, const std::vector<PlanetPatch>& patches,
+                   const PlanetShadow& shadow = {})
     {
         const Texture colour(TextureFormat::rgba8, view.width, view.height);
         const Texture depth(TextureFormat::depth32f, view.width, view.height);

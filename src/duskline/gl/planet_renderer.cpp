@@ -174,8 +174,8 @@ void PlanetRenderer::upload_tiles(const Vector3& eye_m, std::span<const PlanetPa
         const FacePlace middle = sample_place(tile, kTileSquares / 2.0, kTileSquares / 2.0);
         TileOnCard here = {};
         // The one difference of large numbers, in double.
-        here.centre_m = as_floats(
-            point_m(globe_, centre_direction(tile), static_cast<double>(own.reference_m)) - eye_m);
+        here.centre_m =
+            as_floats(point_m(globe_, centre_direction(tile), static_cast<double>(own.reference_m)) - eye_m);
         here.step = static_cast<float>(sample_place(tile, 0.0, 1.0).u - sample_place(tile, 0.0, 0.0).u);
         here.right = as_floats(face.right);
         here.reference_m = own.reference_m;

@@ -21,10 +21,10 @@ struct PlanetLight {
     Vector3 to_sun = {1.0, 0.0, 0.0}; ///< unit vector in the planet's frame
     std::array<float, 3> sun_colour = {1.0f, 1.0f, 1.0f};
     Angle sun_radius = Angle::from_degrees(0.2666); ///< of the disc that is seen
-    float ambient = 0.25f;                          ///< light of level ground in shadow, 1 in the light; 0 to below 1
-    float exposure = 1.0f;                          ///< above 0
-    bool air = true;                                ///< sky, haze and dusk; else black, and dark where no sun is
-    bool living = true;                             ///< water, plants and snow; else dust
+    float ambient = 0.25f; ///< light of level ground in shadow, 1 in the light; 0 to below 1
+    float exposure = 1.0f; ///< above 0
+    bool air = true;       ///< sky, haze and dusk; else black, and dark where no sun is
+    bool living = true;    ///< water, plants and snow; else dust
 };
 
 /// From where, and how large.
@@ -73,12 +73,13 @@ public:
                      const PlanetShadow& shadow = {});
 
     /// The ground alone, without sky or sun behind it.
-    DrawnPlanet draw_ground(const PlanetView& view, const PlanetLight& light, std::span<const PlanetPatch> patches,
-                            const PlanetShadow& shadow = {});
+    DrawnPlanet draw_ground(const PlanetView& view, const PlanetLight& light,
+                            std::span<const PlanetPatch> patches, const PlanetShadow& shadow = {});
 
     /// Draws the depth of the same mesh as a light sees it, into the current framebuffer with the depth test as it is:
     /// `to_clip` takes places relative to the eye, axes planet-fixed, to the light's clip space.
-    DrawnPlanet draw_depth(const Vector3& eye_m, const Matrix4& to_clip, std::span<const PlanetPatch> patches);
+    DrawnPlanet draw_depth(const Vector3& eye_m, const Matrix4& to_clip,
+                           std::span<const PlanetPatch> patches);
 
     /// To be called when a tile's heights have changed.
     void forget(const PlanetTile& tile) { textures_.forget(tile); }

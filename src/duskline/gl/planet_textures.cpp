@@ -24,8 +24,9 @@ void PlanetTextures::make_room(std::size_t tiles)
     if (tiles <= heights_.layers())
         return;
     if (tiles > most_layers())
-        throw InvalidInput("a picture needs " + std::to_string(tiles) + " tiles of the planet, this machine holds "
-                           + std::to_string(most_layers()) + ": allow a larger pixel error");
+        throw InvalidInput("a picture needs " + std::to_string(tiles)
+                           + " tiles of the planet, this machine holds " + std::to_string(most_layers())
+                           + ": allow a larger pixel error");
     const std::size_t layers = std::min(most_layers(), tiles + tiles / 2);
     *this = PlanetTextures(std::move(heights_of_), layers);
 }
@@ -38,8 +39,8 @@ std::int32_t PlanetTextures::free_layer()
             taken[static_cast<std::size_t>(slot.layer.index)] = true;
         return static_cast<std::int32_t>(std::ranges::find(taken, false) - taken.begin());
     }
-    const auto oldest = std::ranges::min_element(
-        slots_, {}, [](const auto& entry) { return entry.second.last_frame; });
+    const auto oldest =
+        std::ranges::min_element(slots_, {}, [](const auto& entry) { return entry.second.last_frame; });
     assert(oldest->second.last_frame < frame_);
     const std::int32_t index = oldest->second.layer.index;
     slots_.erase(oldest);

@@ -10,8 +10,9 @@ namespace duskline::gl {
 void require_reversed_depth()
 {
     if (epoxy_gl_version() < 45 && !epoxy_has_gl_extension("GL_ARB_clip_control"))
-        throw UnsupportedOnThisMachine("planets need OpenGL 4.5 or GL_ARB_clip_control, which this driver does not "
-                                       "have; a newer one or Mesa's software renderer does");
+        throw UnsupportedOnThisMachine(
+            "planets need OpenGL 4.5 or GL_ARB_clip_control, which this driver does not "
+            "have; a newer one or Mesa's software renderer does");
 }
 
 ReversedDepth::ReversedDepth()
@@ -42,10 +43,10 @@ Matrix4 eye_to_reversed_clip(const CameraAxes& axes, Angle vertical_view, double
         return std::array<float, 4>{static_cast<float>(sideways * right), static_cast<float>(upwards * up),
                                     static_cast<float>(depth), static_cast<float>(forward)};
     };
-    const std::array<std::array<float, 4>, 4> columns = {
-        column(axes.right.x, axes.up.x, axes.forward.x, 0.0),
-        column(axes.right.y, axes.up.y, axes.forward.y, 0.0),
-        column(axes.right.z, axes.up.z, axes.forward.z, 0.0), column(0.0, 0.0, 0.0, nearest_m)};
+    const std::array<std::array<float, 4>, 4> columns = {column(axes.right.x, axes.up.x, axes.forward.x, 0.0),
+                                                         column(axes.right.y, axes.up.y, axes.forward.y, 0.0),
+                                                         column(axes.right.z, axes.up.z, axes.forward.z, 0.0),
+                                                         column(0.0, 0.0, 0.0, nearest_m)};
     Matrix4 matrix = {};
     for (std::size_t i = 0; i < 16; ++i)
         matrix.at(i) = columns.at(i / 4).at(i % 4);

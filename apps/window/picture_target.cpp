@@ -2,7 +2,7 @@
 
 #include <duskline/gl/read_back.h>
 
-namespace duskline::viewer {
+namespace duskline::window {
 
 PictureTarget::PictureTarget(std::size_t width, std::size_t height)
     : colour_(gl::TextureFormat::rgba8, width, height), depth_(gl::TextureFormat::depth32f, width, height),
@@ -21,4 +21,4 @@ Picture PictureTarget::picture() const
     return gl::read_back_picture(width(), height());
 }
 
-} // namespace duskline::viewer
+} // namespace duskline::window

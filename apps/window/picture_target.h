@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace duskline::viewer {
+namespace duskline::window {
 
 /// Where pictures without a window are drawn.
 class PictureTarget {
@@ -28,4 +28,4 @@ private:
     gl::Framebuffer framebuffer_;
 };
 
-} // namespace duskline::viewer
+} // namespace duskline::window
