@@ -18,8 +18,8 @@ MAY_INCLUDE = {
     "light": {"geometry"},
     "casting": {"geometry", "execution", "terrain", "light"},
     "products": {"geometry", "execution", "terrain", "light", "casting"},
-    # Files know grids, heights and masks, report progress, and turn the sun's azimuth to the raster's north.
-    "raster_io": {"geometry", "execution", "terrain", "light", "casting"},
+    # Files know grids, heights, masks and planets' sources, report progress, and turn the sun's azimuth to the raster's north.
+    "raster_io": {"geometry", "execution", "terrain", "light", "casting", "planet"},
     # Cameras and what of a terrain they see; no OpenGL.
     "view": {"geometry", "execution", "terrain"},
     # Globes, their tiles, and what of them a camera sees; no OpenGL.

@@ -22,9 +22,9 @@ double base_radius_m(const Globe& globe, const Vector3& direction)
     // Of a sphere not rounded twice: a point at height 0 is on it to the last bit.
     if (globe.equatorial_radius_m == globe.polar_radius_m)
         return globe.equatorial_radius_m;
-    const double across = std::hypot(direction.x, direction.y) / globe.equatorial_radius_m;
-    const double along = direction.z / globe.polar_radius_m;
-    return 1.0 / std::sqrt(across * across + along * along);
+    const Vector3 stretched = {direction.x / globe.equatorial_radius_m,
+                               direction.y / globe.equatorial_radius_m, direction.z / globe.polar_radius_m};
+    return 1.0 / length(stretched);
 }
 
 double height_m(const Globe& globe, const Vector3& point_m)
@@ -44,14 +44,14 @@ Vector3 direction_at(const Globe& globe, const LonLat& place)
 LonLat lon_lat_of(const Globe& globe, const Vector3& direction)
 {
     const double stretch = globe.equatorial_radius_m / globe.polar_radius_m;
-    const double across = std::hypot(direction.x, direction.y);
+    const double across = length({direction.x, direction.y, 0.0});
     return {Angle::from_radians(std::atan2(direction.y, direction.x)),
             Angle::from_radians(std::atan2(stretch * stretch * direction.z, across))};
 }
 
 LocalFrame local_frame(const Globe& globe, const Vector3& direction)
 {
-    const double across = std::hypot(direction.x, direction.y);
+    const double across = length({direction.x, direction.y, 0.0});
     const Vector3 east =
         across > 0.0 ? Vector3{-direction.y / across, direction.x / across, 0.0} : Vector3{0.0, 1.0, 0.0};
     const double stretch = globe.equatorial_radius_m / globe.polar_radius_m;

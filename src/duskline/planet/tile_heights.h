@@ -20,11 +20,11 @@ struct TileHeights {
 
     float height_m(std::int32_t row, std::int32_t column) const
     {
-        return heights_m(static_cast<std::size_t>(row + 1), static_cast<std::size_t>(column + 1));
+        return heights_m(static_cast<std::size_t>(row) + 1, static_cast<std::size_t>(column) + 1);
     }
     bool is_measured(std::int32_t row, std::int32_t column) const
     {
-        return measured(static_cast<std::size_t>(row + 1), static_cast<std::size_t>(column + 1)) != 0;
+        return measured(static_cast<std::size_t>(row) + 1, static_cast<std::size_t>(column) + 1) != 0;
     }
     std::size_t bytes() const { return heights_m.size() * sizeof(float) + measured.size(); }
 };
