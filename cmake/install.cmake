@@ -53,7 +53,8 @@ if(TARGET duskline_gl)
     REQUIRES "duskline = ${PROJECT_VERSION}"
     DEPENDENCIES epoxy)
   # For renderers that read their shaders from files.
-  install(FILES src/duskline/gl/shaders/terrain_shadow.glsl src/duskline/gl/shaders/terrain_shadow_block.h
+  install(FILES src/duskline/gl/shaders/shadow_map.glsl src/duskline/gl/shaders/shadow_map_block.h
+    src/duskline/gl/shaders/terrain_shadow.glsl src/duskline/gl/shaders/terrain_shadow_block.h
     DESTINATION ${CMAKE_INSTALL_DATADIR}/duskline/shaders)
 endif()
 

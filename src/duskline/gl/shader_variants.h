@@ -27,6 +27,8 @@ inline const std::vector<ShaderVariant>& shader_variants()
         {"planet.vert.glsl"},
         {"planet_depth.vert.glsl"},
         {"planet_sky.frag.glsl"},
+        {"shadow_map_moments.frag.glsl", {{"DUSKLINE_ROWS", "0"}}},
+        {"shadow_map_moments.frag.glsl", {{"DUSKLINE_ROWS", "1"}}},
         {"sky.frag.glsl"},
         {"smap_bounds.frag.glsl", {{"DUSKLINE_SMAP_LANES", "1"}}},
         {"smap_bounds.frag.glsl", {{"DUSKLINE_SMAP_LANES", "4"}}},
