@@ -71,9 +71,9 @@ class CasterDrawing {
 public:
     explicit CasterDrawing(const ShadowMapOptions& options)
     {
+        glGetIntegerv(GL_DEPTH_FUNC, &function_before_);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
-        glDepthMask(GL_TRUE);
         glEnable(GL_DEPTH_CLAMP);
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(static_cast<float>(options.slope_offset), kConstantOffset);
@@ -91,8 +91,12 @@ public:
         glPolygonOffset(0.0f, 0.0f);
         glDisable(GL_POLYGON_OFFSET_FILL);
         glDisable(GL_DEPTH_CLAMP);
-        glDisable(GL_DEPTH_TEST);
+        glDepthFunc(static_cast<GLenum>(function_before_));
+        glDisable(GL_DEPTH_TEST); // as SavedDrawing left it
     }
+
+private:
+    GLint function_before_ = 0;
 };
 
 // Rows, then columns.
