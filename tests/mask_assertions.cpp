@@ -121,6 +121,16 @@ double float_rounding_m(const HeightField& field)
     return 7e-6 * std::max(std::abs(range.lowest_m), std::abs(range.highest_m));
 }
 
+Grid<char> ties(const HeightField& field, const ShadowField& shadow_m)
+{
+    Grid<char> tied(field.rows(), field.columns(), 0);
+    for (std::size_t row = 0; row < field.rows(); ++row)
+        for (std::size_t column = 0; column < field.columns(); ++column)
+            tied(row, column) =
+                std::abs(field.heights_m(row, column) - shadow_m(row, column)) < float_rounding_m(field);
+    return tied;
+}
+
 Grid<char> excuses(const Caster& caster, const HeightField& field, const DirectionalLight& light)
 {
     if (is_truth(caster) || field.heights_m.empty())

@@ -33,6 +33,9 @@ bool answers_beside_centres(const Caster& caster);
 /// of the highest ground, 2 cm on a 4000 m mountain (docs/accuracy.md).
 double float_rounding_m(const HeightField& field);
 
+/// 1 for each cell whose ground is no further than that from the height of the shadow over it, else 0.
+Grid<char> ties(const HeightField& field, const ShadowField& shadow_m);
+
 /// 1 for each cell in which `caster` may be wrong on this terrain and light, else 0:
 ///
 ///   the truth      none

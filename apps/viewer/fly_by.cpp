@@ -14,14 +14,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
+#include <optional>
 #include <vector>
 
 namespace duskline::viewer {
 namespace {
 
 constexpr std::size_t kCompared = 8; // frames of a flight whose masks are compared with the truth
+constexpr std::size_t kTrials = 3;   // of a flight that may take no longer than so much
 constexpr double kClearanceOverCells = 1.0;
 
 // One flight with one technique.
@@ -35,8 +39,14 @@ struct FlightFigures {
     double cast_ms = 0.0; ///< sum over the frames
     double draw_ms = 0.0; ///< the rest of them
     double triangles = 0.0;
-    MaskDifference difference; ///< of all frames compared
+    MaskDifference difference;        ///< of all frames compared
+    std::vector<double> black_shares; ///< of silhouette maps, in these frames
 };
+
+double mean(const std::vector<double>& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 struct FrameRates {
     double least = 0.0;
@@ -47,10 +57,7 @@ struct FrameRates {
 FrameRates frame_rates(const std::vector<double>& frame_ms)
 {
     const auto [shortest, longest] = std::ranges::minmax(frame_ms);
-    double sum_ms = 0.0;
-    for (const double ms : frame_ms)
-        sum_ms += ms;
-    return {1000.0 / longest, 1000.0 / shortest, 1000.0 * static_cast<double>(frame_ms.size()) / sum_ms};
+    return {1000.0 / longest, 1000.0 / shortest, 1000.0 / mean(frame_ms)};
 }
 
 // The first is what drawing alone costs, and with the light at rest each technique differs from that by its look-up.
@@ -85,11 +92,13 @@ public:
         FlightFigures figures;
         const std::size_t frames = *options_.flyby_frames;
         warm_up(flight);
-        for (std::size_t frame = 0; frame < frames; ++frame) {
+        const std::size_t step = frames_from_one_to_the_next(flight);
+        const std::size_t apart = step * std::max<std::size_t>(1, frames / step / kCompared);
+        for (std::size_t frame = 0; frame < frames; frame += step) {
             cli::stop_if_interrupted();
             fly_frame(flight, frame, figures);
-            if (frame % std::max<std::size_t>(1, frames / kCompared) == 0)
-                compare(figures.difference);
+            if (frame % apart == 0)
+                compare(figures);
             if (!options_.frames.empty())
                 write_frame(flight, frame);
         }
@@ -97,6 +106,24 @@ public:
     }
 
 private:
+    // 1 unless all would take longer than they may, as some from all parts of the flight tell; at least two are flown.
+    std::size_t frames_from_one_to_the_next(const Flight& flight)
+    {
+        const std::size_t frames = *options_.flyby_frames;
+        if (!options_.at_most_s)
+            return 1;
+        FlightFigures trial;
+        double trial_s = 0.0;
+        for (std::size_t i = 0; i < kTrials && trial_s < *options_.at_most_s; ++i) {
+            // Not the first frame, which comes next: its shadows would be there.
+            fly_frame(flight, std::max<std::size_t>(1, (i + 1) * frames / (kTrials + 1)), trial);
+            trial_s += trial.frame_ms.back() / 1000.0;
+        }
+        const double step =
+            std::ceil(mean(trial.frame_ms) / 1000.0 * static_cast<double>(frames) / *options_.at_most_s);
+        return static_cast<std::size_t>(std::clamp(step, 1.0, static_cast<double>(frames - 1)));
+    }
+
     ViewerState state_at(const Flight& flight, std::size_t frame) const
     {
         const auto frames = static_cast<double>(*options_.flyby_frames);
@@ -139,8 +166,11 @@ private:
         figures.frame_ms.push_back(1000.0 * seconds);
     }
 
-    void compare(MaskDifference& sum)
+    void compare(FlightFigures& figures)
     {
+        if (const auto share = scene_.black_share())
+            figures.black_shares.push_back(*share);
+        MaskDifference& sum = figures.difference;
         const MaskDifference here = mask_difference(scene_.true_mask(), scene_.lit_mask());
         sum.cells += here.cells;
         sum.differing += here.differing;
@@ -163,30 +193,43 @@ private:
     CameraPath path_;
 };
 
-nlohmann::ordered_json as_json(const Flight& flight, const FlightFigures& figures)
+// Looking shadows up is what drawing takes longer than without any, where that is known.
+nlohmann::ordered_json as_json(const Flight& flight, const FlightFigures& figures,
+                               std::optional<double> draw_without_ms)
 {
     const FrameRates rates = frame_rates(figures.frame_ms);
     const auto frames = static_cast<double>(figures.frame_ms.size());
     const auto cells = static_cast<double>(figures.difference.cells);
-    return {{"technique", flight.technique},
-            {"light_at_rest", flight.still},
-            {"fps", {{"least", rates.least}, {"most", rates.most}, {"mean", rates.mean}}},
-            {"mean_cast_ms", figures.cast_ms / frames},
-            {"mean_draw_ms", figures.draw_ms / frames},
-            {"mean_triangles", figures.triangles / frames},
-            {"wrong_share", static_cast<double>(figures.difference.differing) / cells},
-            {"false_light_share", static_cast<double>(figures.difference.false_light) / cells},
-            {"false_shadow_share", static_cast<double>(figures.difference.false_shadow) / cells}};
+    nlohmann::ordered_json json = {
+        {"technique", flight.technique},
+        {"light_at_rest", flight.still},
+        {"frames", figures.frame_ms.size()},
+        {"fps", {{"least", rates.least}, {"most", rates.most}, {"mean", rates.mean}}},
+        {"mean_cast_ms", figures.cast_ms / frames},
+        {"mean_draw_ms", figures.draw_ms / frames},
+        {"mean_triangles", figures.triangles / frames},
+        {"wrong_share", static_cast<double>(figures.difference.differing) / cells},
+        {"false_light_share", static_cast<double>(figures.difference.false_light) / cells},
+        {"false_shadow_share", static_cast<double>(figures.difference.false_shadow) / cells}};
+    if (draw_without_ms)
+        json["mean_look_up_ms"] = figures.draw_ms / frames - *draw_without_ms;
+    if (!figures.black_shares.empty())
+        json["black_share"] = mean(figures.black_shares);
+    return json;
 }
 
 std::string as_line(const nlohmann::ordered_json& flight)
 {
-    return fmt::format("{:<22} {:9.2f} {:9.2f} {:9.2f} {:10.2f} {:10.2f} {:11.4f} %",
+    return fmt::format("{:<22} {:>6} {:9.2f} {:9.2f} {:9.2f} {:10.2f} {:10.2f} {:11.4f} %{}",
                        flight["technique"].get<std::string>()
                            + (flight["light_at_rest"].get<bool>() ? ", at rest" : ""),
-                       flight["fps"]["least"].get<double>(), flight["fps"]["most"].get<double>(),
-                       flight["fps"]["mean"].get<double>(), flight["mean_cast_ms"].get<double>(),
-                       flight["mean_draw_ms"].get<double>(), 100.0 * flight["wrong_share"].get<double>());
+                       flight["frames"].get<std::size_t>(), flight["fps"]["least"].get<double>(),
+                       flight["fps"]["most"].get<double>(), flight["fps"]["mean"].get<double>(),
+                       flight["mean_cast_ms"].get<double>(), flight["mean_draw_ms"].get<double>(),
+                       100.0 * flight["wrong_share"].get<double>(),
+                       flight.contains("black_share")
+                           ? fmt::format(", {:.2f} % Black", 100.0 * flight["black_share"].get<double>())
+                           : "");
 }
 
 void require_places(const ViewerOptions& options)
@@ -227,14 +270,19 @@ void fly_by(const ViewerOptions& options, cli::Report& report)
     report.field("width", options.width);
     report.field("height", options.height);
     report.field("frames", *options.flyby_frames);
+    if (options.at_most_s)
+        report.field("at_most_s", *options.at_most_s);
     report.field("altitude_deg", fly_by.first().light.altitude_deg);
     report.line(fmt::format("{} x {} cells, {} x {} pixels, {} frames, {}",
                             viewed.terrain.heights_m.columns(), viewed.terrain.heights_m.rows(),
                             options.width, options.height, *options.flyby_frames, info.renderer));
-    report.line(fmt::format("{:<22} {:>9} {:>9} {:>9} {:>10} {:>10} {:>13}", "technique", "least fps",
-                            "most fps", "mean fps", "cast, ms", "draw, ms", "cells wrong"));
+    report.line(fmt::format("{:<22} {:>6} {:>9} {:>9} {:>9} {:>10} {:>10} {:>13}", "technique", "frames",
+                            "least fps", "most fps", "mean fps", "cast, ms", "draw, ms", "cells wrong"));
+    std::optional<double> draw_without_ms;
     for (const Flight& flight : flights(options, fly_by.first())) {
-        const auto json = as_json(flight, fly_by.fly(flight));
+        const auto json = as_json(flight, fly_by.fly(flight), draw_without_ms);
+        if (flight.technique == "none")
+            draw_without_ms = json["mean_draw_ms"].get<double>();
         report.json()["flights"].push_back(json);
         report.line(as_line(json));
     }

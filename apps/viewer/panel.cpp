@@ -82,6 +82,8 @@ void draw_shadows(ViewerState& state, Activity& activity)
                          100.0 * static_cast<double>(activity.counted->differing)
                              / static_cast<double>(std::max<std::size_t>(1, activity.counted->cells)),
                          activity.counted->false_light, activity.counted->false_shadow));
+    if (activity.black_share)
+        text(fmt::format("{:.2f} % of the silhouette map is Black", 100.0 * *activity.black_share));
 }
 
 void draw_look(ViewerState& state)
@@ -130,8 +132,8 @@ void draw_figures(const FrameFigures& figures)
 {
     text(fmt::format("{:7.2f} ms a frame ({:.0f} a second)", figures.frame_ms,
                      1000.0 / std::max(0.01, figures.frame_ms)));
-    text(fmt::format("{:7.2f} ms cast; {:.2f} on the card", figures.cast_ms, figures.cast_gpu_ms));
-    text(fmt::format("{:7.2f} ms draw, on the card", figures.draw_gpu_ms));
+    text(fmt::format("{:7.2f} ms to find shadows; {:.2f} on the card", figures.cast_ms, figures.cast_gpu_ms));
+    text(fmt::format("{:7.2f} ms to draw and look up, on the card", figures.draw_gpu_ms));
     text(fmt::format("{} patches, {} triangles", figures.mesh.patches, figures.mesh.triangles));
 }
 

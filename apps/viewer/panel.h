@@ -32,6 +32,7 @@ struct Activity {
     double replayed = 0.0; ///< share of it
     std::string message;   ///< what was last done
     std::optional<MaskDifference> counted;
+    std::optional<double> black_share; ///< counted with it, of a silhouette map
 
     // Set by the panel, done and cleared by the window.
     bool wants_screenshot = false;

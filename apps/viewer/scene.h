@@ -50,6 +50,9 @@ public:
     ShadowMask lit_mask() { return renderer_.lit_mask(technique_->shadow()); }
     const ShadowMask& true_mask();
 
+    /// Of a silhouette map: see ShadowTechnique. Waits for the card.
+    std::optional<double> black_share() const { return technique_->black_share(); }
+
     /// Takes up shader files that have changed on disk.
     bool reload_shaders() { return renderer_.reload_if_changed(); }
 

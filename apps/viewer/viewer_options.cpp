@@ -79,6 +79,18 @@ void add_headless(CLI::App& app, ViewerOptions& options)
            "display")
         ->type_name("FRAMES")
         ->group(kHeadless);
+    app.add_option_function<std::string>(
+           "--at-most",
+           [&options](const std::string& typed) {
+               options.at_most_s = cli::parse_number("--at-most", typed);
+               if (!(*options.at_most_s > 0.0))
+                   throw UsageError(fmt::format("--at-most must be more than 0 seconds, got {}", typed));
+           },
+           "when --flyby would take longer with a technique, fly only every second frame of the same flight, "
+           "or every "
+           "third, ...: seconds of finding shadows and drawing; at least two frames are flown")
+        ->type_name("SECONDS")
+        ->group(kHeadless);
     app.add_option("--report", options.report, "write the figures of --flyby to a JSON file")
         ->type_name("FILE")
         ->group(kHeadless);
@@ -116,6 +128,8 @@ void require_consistent(const ViewerOptions& options)
         throw UsageError("give --render or --flyby, not both");
     if (!options.flyby_frames && (!options.report.empty() || !options.frames.empty()))
         throw UsageError("--report and --frames say where --flyby leaves what it finds: give --flyby FRAMES");
+    if (!options.flyby_frames && options.at_most_s)
+        throw UsageError("--at-most says how long --flyby may take: give --flyby FRAMES");
     if (!options.flyby_frames && options.technique == "all")
         throw UsageError("--technique all is for --flyby");
     if (!options.technique.empty() && options.technique != "all")

@@ -28,8 +28,9 @@ struct ViewerOptions {
     std::string flight; ///< a file with the poses of a flight
     std::string render; ///< a picture to write, without a window
     std::optional<std::size_t> flyby_frames;
-    std::string report; ///< a file for the figures of a fly-by
-    std::string frames; ///< a folder for its pictures
+    std::optional<double> at_most_s; ///< what flying one technique's frames may take
+    std::string report;              ///< a file for the figures of a fly-by
+    std::string frames;              ///< a folder for its pictures
     bool overwrite = false;
 };
 

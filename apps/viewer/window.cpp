@@ -305,6 +305,7 @@ private:
         if (activity_.wants_count)
             attempt([&] {
                 activity_.counted = mask_difference(scene_.true_mask(), scene_.lit_mask());
+                activity_.black_share = scene_.black_share();
                 return std::string();
             });
         if (activity_.wants_overview)

@@ -60,17 +60,6 @@ ShadowMask as_mask(const Grid<std::uint8_t>& bytes, const HeightField& field)
     return mask;
 }
 
-// Cells whose ground is within rounding of the height of the shadow over them.
-Grid<char> ties(const HeightField& field, const ShadowField& shadow_m)
-{
-    Grid<char> tied(field.rows(), field.columns(), 0);
-    for (std::size_t row = 0; row < field.rows(); ++row)
-        for (std::size_t column = 0; column < field.columns(); ++column)
-            tied(row, column) =
-                std::abs(field.heights_m(row, column) - shadow_m(row, column)) < float_rounding_m(field);
-    return tied;
-}
-
 using SilhouettePassesTest = GlTest;
 
 TEST_F(SilhouettePassesTest, HaveTheTexelsOfTheProcessorsMap)

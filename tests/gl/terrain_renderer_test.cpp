@@ -2,6 +2,7 @@
 #include "mask_assertions.h"
 
 #include <duskline/casting/exact.h>
+#include <duskline/casting/smap.h>
 #include <duskline/casting/sweep.h>
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/framebuffer.h>
@@ -260,6 +261,91 @@ TEST_F(Techniques, AnswerAsTheirCasters)
         EXPECT_TRUE(same_mask(cast_by_exact(terrain, light), scene.renderer.lit_mask(exact->shadow())));
         EXPECT_TRUE(same_mask(mask_of(terrain, shadow_heights_by_sweep(terrain, light)),
                               scene.renderer.lit_mask(sweep->shadow())));
+    }
+}
+
+TEST_F(Techniques, SilhouettesAnswerAsTheirCasterButForTies)
+{
+    Terrain terrain = mountains(80, 95);
+    terrain.heights_m(40, 50) = kNaN;
+    Scene scene(terrain);
+    for (const char* name : {"full-scan", "smap-binary", "smap-quad", "smap-parallel", "smap-cells"}) {
+        const auto technique = shadow_technique_named(name).make(scene.sources, scene.textures, false);
+        for (const double azimuth_deg : {0.0, 33.0, 200.0, 291.0}) {
+            const DirectionalLight light = {.azimuth = Angle::from_degrees(azimuth_deg), .altitude = 12_deg};
+            technique->cast(light);
+            EXPECT_TRUE(same_mask(scene.renderer.lit_mask(technique->shadow()), cast_by_smap(terrain, light),
+                                  ties(terrain, shadow_heights_by_smap(terrain, light))))
+                << name << ", " << azimuth_deg;
+        }
+        for (const Angle altitude : {-5_deg, 0_deg, 90_deg}) {
+            technique->cast({.azimuth = 33_deg, .altitude = altitude});
+            EXPECT_TRUE(same_mask(scene.renderer.lit_mask(technique->shadow()),
+                                  cast_by_smap(terrain, {.azimuth = 33_deg, .altitude = altitude})))
+                << name << ", " << altitude.degrees();
+        }
+    }
+}
+
+TEST_F(Techniques, CountTheBlackTexelsOfTheProcessorsMap)
+{
+    const Terrain terrain = mountains(100, 120);
+    const DirectionalLight light = {.azimuth = 33_deg, .altitude = 12_deg};
+    const SilhouetteStatistics statistics = SilhouetteMap(terrain, light).statistics();
+    Scene scene(terrain);
+    for (const ShadowTechniqueKind& kind : shadow_techniques()) {
+        const auto technique = kind.make(scene.sources, scene.textures, false);
+        technique->cast(light);
+        const bool has_map = kind.name.starts_with("smap");
+        ASSERT_EQ(technique->black_share().has_value(), has_map) << kind.name;
+        if (has_map) {
+            EXPECT_EQ(*technique->black_share(),
+                      static_cast<double>(statistics.black) / static_cast<double>(statistics.texels))
+                << kind.name;
+        }
+    }
+}
+
+TEST_F(Techniques, LeaveGroundInFullLightAsItIsWithoutShadows)
+{
+    const Terrain hill =
+        make_gaussian_hill({.grid = {.rows = 129, .columns = 129, .cell_size_m = {20.0, 20.0}},
+                            .height_m = 300.0,
+                            .sigma_m = 350.0});
+    Scene scene(hill);
+    scene.light.light = {.azimuth = 212_deg, .altitude = 60_deg};
+    const TerrainView view =
+        from_above(129, 1000.0); // from farther edges are wider than the light's clearance
+    const Pixels expected = scene.picture(view);
+    for (const ShadowTechniqueKind& kind : shadow_techniques()) {
+        const auto technique = kind.make(scene.sources, scene.textures, false);
+        technique->cast(scene.light.light);
+        EXPECT_TRUE(std::ranges::equal(scene.picture(view, technique->shadow()).values(), expected.values()))
+            << kind.name;
+    }
+}
+
+// Pixels that ask for themselves and pixels between cells that answered: edges of shadows differ, nothing else.
+TEST_F(Techniques, ShowTheSamePictureButForEdges)
+{
+    const Terrain terrain = mountains(150, 150);
+    Scene scene(terrain);
+    scene.light.light.altitude = 12_deg;
+    const TerrainView view = view_from({1500.0, -3300.0, 1900.0}, 10_deg, -35.0);
+    const auto exact = shadow_technique_named("exact").make(scene.sources, scene.textures, false);
+    exact->cast(scene.light.light);
+    const Pixels expected = scene.picture(view, exact->shadow());
+    for (const ShadowTechniqueKind& kind : shadow_techniques()) {
+        const auto technique = kind.make(scene.sources, scene.textures, false);
+        technique->cast(scene.light.light);
+        const Pixels picture = scene.picture(view, technique->shadow());
+        std::size_t differing = 0;
+        for (std::size_t i = 0; i < picture.size(); ++i)
+            differing += std::abs(picture.values()[i][0] - expected.values()[i][0]) > 30 ? 1U : 0U;
+        if (kind.name == "none")
+            EXPECT_GT(differing, picture.size() / 5);
+        else
+            EXPECT_LT(differing, picture.size() / 25) << kind.name;
     }
 }
 

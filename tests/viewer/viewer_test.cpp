@@ -141,7 +141,24 @@ TEST_F(Viewer, ReportsAFlightWithEveryTechnique)
         EXPECT_GE(wrong, technique == "none" ? 0.01 : 0.0);
         EXPECT_LE(wrong, technique == "none" ? 1.0 : technique == "exact" ? 0.0 : 0.05) << technique;
         EXPECT_EQ(flight["mean_cast_ms"] == 0.0, flight["light_at_rest"].get<bool>()) << technique;
+        EXPECT_EQ(flight["frames"], 4);
+        EXPECT_EQ(flight.contains("mean_look_up_ms"), technique != "none");
+        EXPECT_EQ(flight.contains("black_share"), technique.starts_with("smap"));
     }
+}
+
+TEST_F(Viewer, FliesFewerFramesWhenTimeIsShort)
+{
+    const Finished finished = run({"dem.tif", "--flyby", "1000", "--at-most", "1e-6", "--technique",
+                                   "smap-parallel", "--size", "64x48", "--report", "report.json"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    const auto report = nlohmann::json::parse(read_file("report.json"));
+    EXPECT_EQ(report["frames"], 1000);
+    ASSERT_EQ(report["flights"].size(), 2U);
+    for (const auto& flight : report["flights"])
+        EXPECT_EQ(flight["frames"], 2); // the first and the last
+    expect_error({"dem.tif", "--at-most", "5"}, 2, "--flyby");
+    expect_error({"dem.tif", "--flyby", "5", "--at-most", "0"}, 2, "more than 0");
 }
 
 TEST_F(Viewer, FliesAlongARecordedPathAndWritesItsPictures)

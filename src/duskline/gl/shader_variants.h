@@ -22,6 +22,9 @@ inline const std::vector<ShaderVariant>& shader_variants()
         {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "1"}}},
         {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "2"}}},
         {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "3"}}},
+        {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "4"}, {"DUSKLINE_SMAP_LANES", "1"}}},
+        {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "5"}, {"DUSKLINE_SMAP_LANES", "4"}}},
+        {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "6"}, {"DUSKLINE_SMAP_LANES", "1"}}},
         {"planet.frag.glsl", {{"PLANET_SHADOW", "0"}}},
         {"planet.frag.glsl", {{"PLANET_SHADOW", "2"}}},
         {"planet.vert.glsl"},
@@ -51,6 +54,9 @@ inline const std::vector<ShaderVariant>& shader_variants()
         {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "1"}}},
         {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "2"}}},
         {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "3"}}},
+        {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "4"}, {"DUSKLINE_SMAP_LANES", "1"}}},
+        {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "5"}, {"DUSKLINE_SMAP_LANES", "4"}}},
+        {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "6"}, {"DUSKLINE_SMAP_LANES", "1"}}},
         {"terrain.vert.glsl"},
     };
     return variants;

@@ -4,19 +4,25 @@
 
 namespace duskline::gl {
 
+class SilhouettePasses;
+
 /// In what form a technique leaves its shadows for shaders: SHADOW_LOOKUP of terrain_lit.glsl.
 enum class ShadowLookup {
-    none,    ///< no texture: all is lit
-    mask,    ///< r8, 0 in shadow, 1 in the light and for no data
-    heights, ///< r32f, heights of shadow: lit is what lies at or above
-    limbs,   ///< rg32f, those below which all of the light's disc is hidden, and above which nothing is
+    none,        ///< nothing: all is lit
+    mask,        ///< r8, 0 in shadow, 1 in the light and for no data
+    heights,     ///< r32f, heights of shadow: lit is what lies at or above
+    limbs,       ///< rg32f, those below which all of the light's disc is hidden, and above which nothing is
+    silhouettes, ///< a silhouette map, which every pixel looks itself up in
+    silhouettes_by_four, ///< the same with four lines in a texel (NextVSearch::parallel_quad)
+    lines,               ///< no map: every pixel looks at every line on the way to the light
 };
-inline constexpr int kShadowLookups = 4;
+inline constexpr int kShadowLookups = 7;
 
-/// The shadows of a terrain as a technique has left them, a texel for each cell. The texture is the technique's.
+/// The shadows of a terrain as a technique has left them. What it points to is the technique's.
 struct TerrainShadow {
     ShadowLookup lookup = ShadowLookup::none;
-    const Texture* texture = nullptr;
+    const Texture* texture = nullptr;              ///< of mask, heights, limbs: a texel for each cell
+    const SilhouettePasses* silhouettes = nullptr; ///< of silhouettes, silhouettes_by_four, lines
 };
 
 } // namespace duskline::gl

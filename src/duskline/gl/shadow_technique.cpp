@@ -1,3 +1,4 @@
+#include <duskline/casting/light_frame.h>
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/exact_upload.h>
 #include <duskline/gl/shadow_sweep.h>
@@ -47,34 +48,46 @@ private:
     const Texture* texture_ = nullptr;
 };
 
-// The silhouette map, built anew for every light, and every cell looked up in it; or every line scanned without it.
+// The silhouette map, built anew for every light, or every line on the way to the light without it.
 class SilhouetteShadows : public ShadowTechnique {
 public:
-    enum class Scan { map, full };
+    enum class LookUp {
+        pixels, ///< each asks the map itself
+        cells,  ///< all cells ask once a light, and pixels take their answers
+        lines,  ///< each pixel looks at all lines
+    };
 
     SilhouetteShadows(const ShaderSources& sources, const TerrainTextures& terrain, NextVSearch search,
-                      Scan scan)
-        : terrain_(terrain), passes_(sources, {.search = search}), scan_(scan),
+                      LookUp look_up)
+        : terrain_(terrain), passes_(sources, {.search = search}), look_up_(look_up),
+          form_(look_up == LookUp::lines               ? ShadowLookup::lines
+                : search == NextVSearch::parallel_quad ? ShadowLookup::silhouettes_by_four
+                                                       : ShadowLookup::silhouettes),
           greatest_m_(greatest_height_m())
     {}
 
     void cast(const DirectionalLight& light) override
     {
         light_ = light;
-        if (scan_ == Scan::full)
-            passes_.set_light(terrain_.heights(), terrain_.field().cell_size_m, light, greatest_m_);
+        const CellSize cell_size_m = terrain_.field().cell_size_m;
+        if (look_up_ == LookUp::lines)
+            passes_.set_light(terrain_.heights(), cell_size_m, light, greatest_m_);
         else
-            passes_.build(terrain_.heights(), terrain_.field().cell_size_m, light, greatest_m_);
-        mask_ = scan_ == Scan::full ? &passes_.mask_by_full_scan() : &passes_.mask();
+            passes_.build(terrain_.heights(), cell_size_m, light, greatest_m_);
+        // Light at the horizon and overhead has no map: the answer is one for all.
+        shadow_ = look_up_ == LookUp::cells || uniform_answer(light)
+                      ? TerrainShadow{ShadowLookup::mask, &passes_.mask(), nullptr}
+                      : TerrainShadow{form_, nullptr, &passes_};
     }
     void heights_changed(const CellRectangle&) override
     {
         greatest_m_ = greatest_height_m();
         cast(light_);
     }
-    TerrainShadow shadow() const override
+    TerrainShadow shadow() const override { return shadow_; }
+    std::optional<double> black_share() const override
     {
-        return mask_ != nullptr ? TerrainShadow{ShadowLookup::mask, mask_} : TerrainShadow{};
+        return look_up_ != LookUp::lines ? std::optional(passes_.black_share()) : std::nullopt;
     }
 
 private:
@@ -88,17 +101,18 @@ private:
 
     const TerrainTextures& terrain_;
     SilhouettePasses passes_;
-    Scan scan_;
+    LookUp look_up_;
+    ShadowLookup form_;
     float greatest_m_;
     DirectionalLight light_;
-    const Texture* mask_ = nullptr;
+    TerrainShadow shadow_;
 };
 
-template <NextVSearch kSearch, SilhouetteShadows::Scan kScan = SilhouetteShadows::Scan::map>
+template <NextVSearch kSearch, SilhouetteShadows::LookUp kLookUp = SilhouetteShadows::LookUp::pixels>
 std::unique_ptr<ShadowTechnique> make_silhouette_shadows(const ShaderSources& sources,
                                                          const TerrainTextures& terrain, bool)
 {
-    return std::make_unique<SilhouetteShadows>(sources, terrain, kSearch, kScan);
+    return std::make_unique<SilhouetteShadows>(sources, terrain, kSearch, kLookUp);
 }
 
 constexpr auto kSilhouetteSource = "Sakalauskas, Hybrid Terrain Shadow Ray Casting, WSCG 2008";
@@ -118,14 +132,18 @@ constexpr std::array kTechniques = {
                            bool soft) -> std::unique_ptr<ShadowTechnique> {
                             return std::make_unique<SweptShadows>(sources, terrain, soft);
                         }},
-    ShadowTechniqueKind{"full-scan", "every line on the way to the light, for every cell", kSilhouetteSource,
-                        false, make_silhouette_shadows<NextVSearch::binary, SilhouetteShadows::Scan::full>},
+    ShadowTechniqueKind{"full-scan", "every line on the way to the light, for every pixel", kSilhouetteSource,
+                        false,
+                        make_silhouette_shadows<NextVSearch::binary, SilhouetteShadows::LookUp::lines>},
     ShadowTechniqueKind{"smap-binary", "silhouette map, binary search", kSilhouetteSource, false,
                         make_silhouette_shadows<NextVSearch::binary>},
     ShadowTechniqueKind{"smap-quad", "silhouette map, quad search", kSilhouetteSource, false,
                         make_silhouette_shadows<NextVSearch::quad>},
     ShadowTechniqueKind{"smap-parallel", "silhouette map, quad search of four lines at a time",
                         kSilhouetteSource, false, make_silhouette_shadows<NextVSearch::parallel_quad>},
+    ShadowTechniqueKind{
+        "smap-cells", "the same map, looked up for every cell and not for every pixel", kSilhouetteSource,
+        false, make_silhouette_shadows<NextVSearch::parallel_quad, SilhouetteShadows::LookUp::cells>},
 };
 
 } // namespace

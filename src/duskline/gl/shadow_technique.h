@@ -7,6 +7,7 @@
 #include <duskline/light/directional_light.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -27,8 +28,11 @@ public:
     /// shadows of the light cast last up to date.
     virtual void heights_changed(const CellRectangle& rectangle) = 0;
 
-    /// The shadows cast last. The texture is the technique's own.
+    /// The shadows cast last.
     virtual TerrainShadow shadow() const = 0;
+
+    /// Of a silhouette map the share of texels that are Black, which hold a silhouette. Reads the map back.
+    virtual std::optional<double> black_share() const { return std::nullopt; }
 };
 
 /// One way to find shadows in real time. The viewer, its report and the tests iterate over `shadow_techniques()`.

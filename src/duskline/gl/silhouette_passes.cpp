@@ -232,21 +232,32 @@ Grid<SilhouetteTexel> SilhouettePasses::read_texels() const
     return all;
 }
 
-std::vector<ShaderDefine> SilhouettePasses::look_up_defines() const
+double SilhouettePasses::black_share() const
 {
-    return {{"DUSKLINE_SMAP_LANES", std::to_string(lanes_of(state_->options))}};
+    const Grid<SilhouetteTexel> all = read_texels();
+    const auto black = std::ranges::count_if(all.values(), &SilhouetteTexel::is_black);
+    return all.empty() ? 0.0 : static_cast<double>(black) / static_cast<double>(all.size());
 }
 
-void SilhouettePasses::bind(const Program& program) const
+std::vector<ShaderDefine> SilhouettePasses::look_up_defines(int first_unit) const
+{
+    std::vector<ShaderDefine> defines = {{"DUSKLINE_SMAP_LANES", std::to_string(lanes_of(state_->options))}};
+    for (const char* name : {"DUSKLINE_SMAP_HEIGHTS", "DUSKLINE_SMAP_TEXELS", "DUSKLINE_SMAP_LINES"})
+        defines.push_back({name, std::to_string(first_unit++)});
+    return defines;
+}
+
+void SilhouettePasses::bind(const Program& program, int first_unit) const
 {
     const State& s = *state_;
     if (s.heights == nullptr)
         throw InvalidInput("a silhouette map must be built before it is looked up");
-    s.heights->bind(0);
+    const auto unit = static_cast<unsigned int>(first_unit);
+    s.heights->bind(unit);
     if (s.texels)
-        s.texels->newer().bind(1);
+        s.texels->newer().bind(unit + 1);
     if (s.line_facts)
-        s.line_facts->bind(2);
+        s.line_facts->bind(unit + 2);
     s.describe(program);
 }
 

@@ -50,10 +50,15 @@ public:
     /// The same by the full scan of every line, without the map.
     const Texture& mask_by_full_scan();
 
-    /// Puts textures, lines and uniforms where a program that includes smap_shadow.glsl finds them. That must have been
-    /// built with the defines of `look_up_defines`.
-    void bind(const Program& program) const;
-    std::vector<ShaderDefine> look_up_defines() const;
+    /// The share of the map's texels whose section holds a silhouette, which the source calls Black. 0 where there is no
+    /// map. Reads the map back.
+    double black_share() const;
+
+    /// Puts textures, lines and uniforms where a program that includes smap_shadow.glsl finds them: on three texture units
+    /// from `first_unit` on. The program must have been built with the defines of `look_up_defines` for the same unit.
+    /// Throws InvalidInput before the first `build` or `set_light`.
+    void bind(const Program& program, int first_unit = 0) const;
+    std::vector<ShaderDefine> look_up_defines(int first_unit = 0) const;
 
 private:
     struct State;

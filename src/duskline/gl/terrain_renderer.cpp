@@ -1,6 +1,7 @@
 #include <duskline/gl/framebuffer.h>
 #include <duskline/gl/read_back.h>
 #include <duskline/gl/screen_pass.h>
+#include <duskline/gl/silhouette_passes.h>
 #include <duskline/gl/terrain_renderer.h>
 
 #include <epoxy/gl.h>
@@ -13,7 +14,7 @@ namespace duskline::gl {
 
 namespace {
 
-enum Unit : int { mesh_heights, ground, heights, shadow, truth };
+enum Unit : int { mesh_heights, ground, heights, shadow, truth, silhouettes }; // which take three
 
 constexpr std::size_t kIndicesPerPatch = 6 * kPatchSquares * kPatchSquares;
 constexpr std::size_t kMostLevels = 24; // of the array in terrain.vert.glsl: grids of up to 2^28 cells a side
@@ -57,9 +58,13 @@ std::vector<std::uint32_t> patch_indices()
     return indices;
 }
 
-ProgramDescription with_lookup(std::vector<std::string> stages, ShadowLookup lookup)
+ProgramDescription with_lookup(std::vector<std::string> stages, const TerrainShadow& shadow)
 {
-    return {std::move(stages), {{"SHADOW_LOOKUP", std::to_string(static_cast<int>(lookup))}}};
+    std::vector<ShaderDefine> defines;
+    if (shadow.silhouettes != nullptr)
+        defines = shadow.silhouettes->look_up_defines(Unit::silhouettes);
+    defines.push_back({"SHADOW_LOOKUP", std::to_string(static_cast<int>(shadow.lookup))});
+    return {std::move(stages), std::move(defines)};
 }
 
 // What the mesh may not turn into at all begins at infinity, which shaders need not know of.
@@ -145,19 +150,19 @@ TerrainRenderer::TerrainRenderer(const ShaderSources& sources, const TerrainText
     patch_.set_indices(indices_);
 }
 
-const Program& TerrainRenderer::ground_program(ShadowLookup lookup)
+const Program& TerrainRenderer::ground_program(const TerrainShadow& shadow)
 {
-    auto& program = ground_programs_.at(static_cast<std::size_t>(lookup));
+    auto& program = ground_programs_.at(static_cast<std::size_t>(shadow.lookup));
     if (!program)
-        program.emplace(sources_, with_lookup({"terrain.vert.glsl", "terrain.frag.glsl"}, lookup));
+        program.emplace(sources_, with_lookup({"terrain.vert.glsl", "terrain.frag.glsl"}, shadow));
     return *program;
 }
 
-const Program& TerrainRenderer::mask_program(ShadowLookup lookup)
+const Program& TerrainRenderer::mask_program(const TerrainShadow& shadow)
 {
-    auto& program = mask_programs_.at(static_cast<std::size_t>(lookup));
+    auto& program = mask_programs_.at(static_cast<std::size_t>(shadow.lookup));
     if (!program)
-        program.emplace(sources_, with_lookup({"full_screen.vert.glsl", "lit_mask.frag.glsl"}, lookup));
+        program.emplace(sources_, with_lookup({"full_screen.vert.glsl", "lit_mask.frag.glsl"}, shadow));
     return *program;
 }
 
@@ -167,6 +172,8 @@ void TerrainRenderer::set_lookup(const Program& program, const TerrainShadow& sh
     terrain_.heights().bind(Unit::heights);
     if (shadow.texture != nullptr)
         shadow.texture->bind(Unit::shadow);
+    if (shadow.silhouettes != nullptr)
+        shadow.silhouettes->bind(program, Unit::silhouettes);
     program.set("heights_m", static_cast<int>(Unit::heights));
     program.set("shadow", static_cast<int>(Unit::shadow));
     program.set("shadow_drop_m", static_cast<float>(shadow_drop_m));
@@ -210,7 +217,7 @@ DrawnMesh TerrainRenderer::draw_terrain(const TerrainView& view, const TerrainLi
     if (patches.empty())
         return {};
 
-    const Program& program = ground_program(shadow.lookup);
+    const Program& program = ground_program(shadow);
     program.use();
     terrain_.mesh_heights().bind(Unit::mesh_heights);
     terrain_.ground().bind(Unit::ground);
@@ -244,7 +251,7 @@ ShadowMask TerrainRenderer::lit_mask(const TerrainShadow& shadow)
     const HeightField& field = terrain_.field();
     const Texture answers(TextureFormat::r8, field.columns(), field.rows());
     const Framebuffer framebuffer({&answers});
-    const Program& program = mask_program(shadow.lookup);
+    const Program& program = mask_program(shadow);
     set_lookup(program, shadow, 1.0);
     ScreenPass().draw(program, framebuffer);
     const Grid<std::uint8_t> bytes = read_back<std::uint8_t>(answers);

@@ -60,14 +60,17 @@ float square(float x)
     return x * x;
 }
 
-vec3 light_on(vec2 slope, float open, float lit)
+// Light of the sun on ground that faces it so much, against level ground.
+float sunlight(vec3 normal)
 {
-    vec3 normal = normalize(vec3(-exaggeration * slope, 1.0));
     float direct = max(0.0, dot(normal, towards_light)) / max(towards_light.z, 0.035);
-    float bent = 2.6 * direct / (1.6 + direct);
+    return 2.6 * direct / (1.6 + direct);
+}
+
+float skylight(vec3 normal, float open)
+{
     float bright_sky = square(0.5 + 0.5 * dot(normal, towards_bright_sky)) / square(0.5 + 0.5 * towards_bright_sky.z);
-    float sky = open * mix(0.5 + 0.5 * normal.z, bright_sky, 0.6);
-    return sky_light * (ambient * sky) + sun_colour * ((1.0 - ambient) * bent * lit);
+    return open * mix(0.5 + 0.5 * normal.z, bright_sky, 0.6);
 }
 
 // What is wrong, in colours that no ground has: lit and should not be, dark and should not be.
@@ -91,7 +94,11 @@ void main()
         discard;
 
     float open = openness(cell, height_at(cell, max(0.0, log2(width))));
-    vec3 light = light_on(slope_at(cell, width), open, lit_over(cell, across, down));
+    vec3 normal = normalize(vec3(-exaggeration * slope_at(cell, width), 1.0));
+    float sun = sunlight(normal);
+    if (sun > 0.0) // ground that turns away is dark, whatever shades it
+        sun *= lit_over(cell, across, down);
+    vec3 light = sky_light * (ambient * skylight(normal, open)) + sun_colour * ((1.0 - ambient) * sun);
     vec3 colour = exposure * own.rgb / own.a * light;
     if (clear_m > 0.0) {
         float distance_m = length(from_eye_m);

@@ -1,92 +1,121 @@
-// How much of the light's disc a place on the ground sees, by what a technique has left in `shadow`.
+// How much of the light's disc a place on the ground sees, by what a technique has left.
 //
-// SHADOW_LOOKUP   what that is
+// SHADOW_LOOKUP   what that is (gl/shadow_lookup.h)
 //   0             nothing: all is lit
 //   1             a mask: 0 in shadow, 1 in the light
 //   2             heights of shadow: lit is what lies at or above
 //   3             two of them, of the disc's two edges
+//   4, 5          a silhouette map; a place is asked for itself, not the cells around it
+//   6             nothing: every line on the way to the light is looked at, for every place
 
+#include "four_cells.glsl"
 #include "terrain_shadow.glsl" // disc_above
 
 uniform sampler2D heights_m; // NaN where there are no data
-uniform sampler2D shadow;
-uniform float shadow_drop_m; // the height a shadow loses over the diagonal of a cell
-
-// A finite float, so that infinities and what is made of them cannot spoil a mean.
-float held(float x)
-{
-    return clamp(x, -1.0, 1.0);
-}
-
-// How far the ground at a cell lies above its shadow: 1 or more far above, -1 far below. Only what a shadow loses over
-// a cell counts, so that between cells it changes sign where the edge is. Of a mask its answer, 1 or -1.
-float clearance(ivec2 at)
-{
-    float height_m = texelFetch(heights_m, at, 0).r;
-#if SHADOW_LOOKUP == 1
-    return 2.0 * texelFetch(shadow, at, 0).r - 1.0;
-#elif SHADOW_LOOKUP == 3
-    vec2 limbs_m = texelFetch(shadow, at, 0).rg;
-    if (isinf(limbs_m.g) || isinf(limbs_m.r) || !(limbs_m.g - limbs_m.r > 1e-3 * shadow_drop_m))
-        return height_m >= limbs_m.g ? 1.0 : -1.0;
-    return held(2.0 * (height_m - limbs_m.r) / (limbs_m.g - limbs_m.r) - 1.0);
-#else
-    float shadow_m = texelFetch(shadow, at, 0).r;
-    return isinf(shadow_m) ? (shadow_m < 0.0 ? 1.0 : -1.0) : held((height_m - shadow_m) / shadow_drop_m);
-#endif
-}
 
 bool has_data(ivec2 at)
 {
     return !isnan(texelFetch(heights_m, at, 0).r);
 }
 
-// Bilinear between the four cells around; cells without data do not count.
+// Where to gather the four cells around a place: their common corner, whatever its rounding.
+vec2 corner_of_four(vec2 cell)
+{
+    return (floor(cell) + 1.0) / vec2(textureSize(heights_m, 0));
+}
+
+#if SHADOW_LOOKUP >= 4
+#include "smap_shadow.glsl"
+
+// In 256 parts of a cell, so that a place on a line is on it, whatever its rounding: lines do not shade themselves.
+vec2 in_parts(vec2 cell)
+{
+    return clamp(floor(cell * 256.0 + 0.5) / 256.0, vec2(0.0), vec2(textureSize(heights_m, 0) - 1));
+}
+
+bool is_shadowed(vec3 point)
+{
+#if SHADOW_LOOKUP == 6
+    return is_shadowed_by_full_scan(point);
+#else
+    return is_shadowed_by_smap(point);
+#endif
+}
+
+float lit_over(vec2 cell, vec2 across, vec2 down)
+{
+    vec2 place = in_parts(cell);
+    vec4 around_m = textureGather(heights_m, corner_of_four(place));
+    vec4 shares = shares_of_known(shares_of_four(fract(place)), around_m);
+    if (dot(shares, vec4(1.0)) <= 0.0)
+        return 1.0;
+    return is_shadowed(vec3(in_light_frame(place), mean_of_four(around_m, shares))) ? 0.0 : 1.0;
+}
+
+bool is_lit(ivec2 at)
+{
+    return !is_shadowed(vec3(in_light_frame(vec2(at)), texelFetch(heights_m, at, 0).r));
+}
+
+#elif SHADOW_LOOKUP == 0
+
+float lit_over(vec2 cell, vec2 across, vec2 down)
+{
+    return 1.0;
+}
+
+bool is_lit(ivec2 at)
+{
+    return true;
+}
+
+#else
+uniform sampler2D shadow;
+uniform float shadow_drop_m; // the height a shadow loses over the diagonal of a cell
+
+// How far the ground of four cells lies above their shadows: 1 or more far above, -1 far below. Only what a shadow
+// loses over a cell counts, so that between cells it changes sign where the edge is. Of masks their answers, 1 or -1.
+vec4 clearances_of_four(vec2 corner, vec4 ground_m)
+{
+#if SHADOW_LOOKUP == 1
+    return 2.0 * textureGather(shadow, corner) - 1.0;
+#elif SHADOW_LOOKUP == 2
+    return clamp((ground_m - textureGather(shadow, corner)) / shadow_drop_m, -1.0, 1.0);
+#else
+    vec4 lower_m = textureGather(shadow, corner, 0);
+    vec4 upper_m = textureGather(shadow, corner, 1);
+    vec4 hard = mix(vec4(-1.0), vec4(1.0), greaterThanEqual(ground_m, upper_m));
+    vec4 soft = clamp(2.0 * (ground_m - lower_m) / (upper_m - lower_m) - 1.0, -1.0, 1.0);
+    bvec4 finite = lessThan(abs(lower_m) + abs(upper_m), vec4(1e30));
+    bvec4 apart = greaterThan(upper_m - lower_m, vec4(1e-3 * shadow_drop_m));
+    return mix(mix(hard, soft, apart), hard, not(finite));
+#endif
+}
+
+// Between the four cells around; those without data do not count.
 float clearance_between(vec2 cell)
 {
-    ivec2 last = textureSize(heights_m, 0) - 1;
-    vec2 first = floor(cell);
-    vec2 rest = cell - first;
-    float sum = 0.0;
-    float weights = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 step = ivec2(i & 1, i >> 1);
-        ivec2 at = clamp(ivec2(first) + step, ivec2(0), last);
-        vec2 near = mix(1.0 - rest, rest, vec2(step));
-        float weight = near.x * near.y;
-        if (weight > 0.0 && has_data(at)) {
-            sum += weight * clearance(at);
-            weights += weight;
-        }
-    }
-    return weights > 0.0 ? sum / weights : 1.0;
+    vec2 corner = corner_of_four(cell);
+#if SHADOW_LOOKUP == 1
+    vec4 answers = textureGather(shadow, corner);
+    if (all(equal(answers, answers.yzwx))) // nearly everywhere
+        return 2.0 * answers.x - 1.0;
+#endif
+    vec4 ground_m = textureGather(heights_m, corner);
+    vec4 shares = shares_of_known(shares_of_four(fract(cell)), ground_m);
+    if (dot(shares, vec4(1.0)) <= 0.0)
+        return 1.0;
+    return mean_of_four(clearances_of_four(corner, ground_m), shares);
 }
 
 // At one place; `width` is how many cells a pixel takes. An edge is as wide as a pixel.
 float lit_at(vec2 cell, float width)
 {
-#if SHADOW_LOOKUP == 0
-    return 1.0;
-#elif SHADOW_LOOKUP != 3
+#if SHADOW_LOOKUP == 3
+    return disc_above(-clearance_between(cell));
+#else
     float soft = clamp(width, 0.02, 1.0);
     return smoothstep(-soft, soft, clearance_between(cell));
-#else
-    return disc_above(-clearance_between(cell));
-#endif
-}
-
-// The yes or no of a cell, as a mask has it.
-bool is_lit(ivec2 at)
-{
-#if SHADOW_LOOKUP == 0
-    return true;
-#elif SHADOW_LOOKUP == 1
-    return texelFetch(shadow, at, 0).r > 0.5;
-#elif SHADOW_LOOKUP == 2
-    return texelFetch(heights_m, at, 0).r >= texelFetch(shadow, at, 0).r;
-#else
-    vec2 limbs_m = texelFetch(shadow, at, 0).rg;
-    return 2.0 * texelFetch(heights_m, at, 0).r >= limbs_m.r + limbs_m.g;
 #endif
 }
 
@@ -103,3 +132,17 @@ float lit_over(vec2 cell, vec2 across, vec2 down)
     }
     return 0.25 * sum;
 }
+
+// The yes or no of a cell, as a mask has it.
+bool is_lit(ivec2 at)
+{
+#if SHADOW_LOOKUP == 1
+    return texelFetch(shadow, at, 0).r > 0.5;
+#elif SHADOW_LOOKUP == 2
+    return texelFetch(heights_m, at, 0).r >= texelFetch(shadow, at, 0).r;
+#else
+    vec2 limbs_m = texelFetch(shadow, at, 0).rg;
+    return 2.0 * texelFetch(heights_m, at, 0).r >= limbs_m.r + limbs_m.g;
+#endif
+}
+#endif

@@ -27,19 +27,10 @@
 layout(binding = DUSKLINE_SHADOW_TEXTURE) uniform sampler2D terrain_shadow_heights;
 #include "terrain_shadow_block.h"
 #endif
+#include "four_cells.glsl"
 
 // Further above or below a shadow than ground can be: an infinity that can be interpolated.
 const float kFarFromShadow_m = 1.0e6;
-
-// How far a point is above the shadow heights of a texel. The third component counts: 0 for no data, which has none.
-vec3 clearance_at(ivec2 texel, float height_m)
-{
-    vec2 shadow_m = vec2(texelFetch(terrain_shadow_heights, texel, 0));
-    if (isnan(shadow_m.x))
-        return vec3(0.0, 0.0, 0.0);
-    return vec3(clamp(height_m - shadow_m.x, -kFarFromShadow_m, kFarFromShadow_m),
-                clamp(height_m - shadow_m.y, -kFarFromShadow_m, kFarFromShadow_m), 1.0);
-}
 
 // The part of a disc (radius 1, centre 0) that stands above a level horizon.
 float disc_above(float horizon)
@@ -58,6 +49,17 @@ float visible_disc(vec2 clearance_m, float lowest_limb)
     return disc_above(mix(lowest_limb, 1.0f, hidden));
 }
 
+vec2 shadow_heights_at(ivec2 texel)
+{
+    return vec2(texelFetch(terrain_shadow_heights, texel, 0));
+}
+
+// How far a height lies above those of shadows.
+vec4 clearances(float height_m, vec4 shadow_m)
+{
+    return clamp(vec4(height_m) - shadow_m, -kFarFromShadow_m, kFarFromShadow_m);
+}
+
 // For a place on the grid (x columns, y rows from the centre of cell (0, 0)) and a height in metres. 1 is full light,
 // 0 full shadow. Outside the grid, and where there is no data, nothing is in shadow.
 float shadow_factor_on_grid(vec2 place, float height_m)
@@ -69,16 +71,22 @@ float shadow_factor_on_grid(vec2 place, float height_m)
     ivec2 first = min(ivec2(floor(within)), size - 1);
     ivec2 last = min(first + 1, size - 1);
     // In 256 parts of a cell, as texture units do: a place that should be a texel's is, whatever its rounding.
-    vec2 t = floor((within - vec2(first)) * 256.0f + 0.5f) / 256.0f;
+    vec2 rest = floor((within - vec2(first)) * 256.0f + 0.5f) / 256.0f;
 
-    vec3 north = mix(clearance_at(first, height_m), clearance_at(ivec2(last.x, first.y), height_m), t.x);
-    vec3 south = mix(clearance_at(ivec2(first.x, last.y), height_m), clearance_at(last, height_m), t.x);
-    vec3 sum = mix(north, south, t.y);
-    if (sum.z <= 0.0)
+    vec2 south_west = shadow_heights_at(ivec2(first.x, last.y));
+    vec2 south_east = shadow_heights_at(last);
+    vec2 north_east = shadow_heights_at(ivec2(last.x, first.y));
+    vec2 north_west = shadow_heights_at(first);
+    vec4 shadow_m = vec4(south_west.x, south_east.x, north_east.x, north_west.x);
+    vec4 shares = shares_of_known(shares_of_four(rest), shadow_m);
+    if (dot(shares, vec4(1.0)) <= 0.0)
         return 1.0;
+    float clearance_m = mean_of_four(clearances(height_m, shadow_m), shares);
     if (terrain_shadow.soft == 0.0)
-        return sum.x >= 0.0 ? 1.0 : 0.0;
-    return visible_disc(vec2(sum), terrain_shadow.lowest_limb);
+        return clearance_m >= 0.0 ? 1.0 : 0.0;
+    vec4 upper_m = vec4(south_west.y, south_east.y, north_east.y, north_west.y);
+    return visible_disc(vec2(clearance_m, mean_of_four(clearances(height_m, upper_m), shares)),
+                        terrain_shadow.lowest_limb);
 }
 
 // For a place in the world.
