@@ -1,0 +1,47 @@
+#pragma once
+
+#include "planet_state.h"
+#include "run_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace duskline::planet_app {
+
+/// What `duskline-planet` was asked for.
+struct PlanetOptions {
+    std::vector<std::string> files; ///< from coarse to fine; none: those Duskline carries
+    bool moon = false;
+    bool sphere = false;
+    std::optional<double> radius_km;
+    double detail = 1.0;
+    PlanetPose pose;
+    std::optional<DateTime> time;
+    std::optional<double> azimuth_deg;
+    std::optional<double> altitude_deg;
+    std::string technique; ///< empty: the usual one; "all" in a descent
+    PlanetState look;      ///< ambient, exposure and so on
+    std::size_t width = 1024;
+    std::size_t height = 768;
+    cli::RunOptions run;
+    std::string render; ///< a picture to write, without a window
+    bool overwrite = false;
+};
+
+/// `options` must outlive `app`'s parsing.
+void add_planet_options(CLI::App& app, PlanetOptions& options);
+
+/// Throws UsageError for options that do not go together.
+void require_consistent(const PlanetOptions& options);
+
+/// The globe the options ask for; `of_file` is that of the first file.
+Globe globe_of(const PlanetOptions& options, const Globe& of_file);
+
+/// What the options say to begin with.
+PlanetState first_state(const PlanetOptions& options, const Globe& globe);
+
+} // namespace duskline::planet_app

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <duskline/light/date_time.h>
+#include <duskline/planet/globe.h>
+#include <duskline/view/camera.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace duskline::planet_app {
+
+/// Where somebody looks from. Heights are over the ground, heading clockwise from north, pitch above the horizontal.
+struct PlanetPose {
+    LonLat place = {Angle::from_degrees(-155.47), Angle::from_degrees(19.4)};
+    double clearance_m = 40000.0;
+    Angle heading = {};
+    Angle pitch = Angle::from_degrees(-35.0);
+    Angle vertical_view = Angle::from_degrees(45.0);
+};
+
+/// The sun: of a moment, or where it was put.
+struct PlanetSun {
+    std::optional<DateTime> time;             ///< then the direction is what the sun has at that moment
+    Vector3 direction = {1.0, 0.0, 0.0};      ///< unit vector in the planet's frame
+    double clock_s_per_s = 600.0;             ///< how fast the clock runs
+};
+
+/// How shadows are found.
+enum class PlanetTechnique { none, shadow_map, fronts };
+
+struct TechniqueName {
+    PlanetTechnique technique;
+    std::string_view name;
+    std::string_view description;
+};
+/// All there are.
+const std::vector<TechniqueName>& planet_techniques();
+
+/// Throws InvalidInput, listing the names there are.
+PlanetTechnique technique_named(std::string_view name);
+std::string_view name_of(PlanetTechnique technique);
+
+/// Everything that can be set while looking, and nothing that follows from the files.
+struct PlanetState {
+    PlanetPose pose;
+    PlanetSun sun;
+    PlanetTechnique technique = PlanetTechnique::none;
+    float ambient = 0.25f;   ///< 0 to below 1
+    float exposure = 1.0f;   ///< above 0
+    double pixel_error = 2.0; ///< of the mesh; above 0
+    bool show_made = false;  ///< mark what no file has measured
+};
+
+/// The direction to the sun at a moment, as the earth stands then, without refraction and parallax: right to 0.003 degrees.
+/// Throws InvalidInput for years that sun_position does not take.
+Vector3 sun_direction(UtcTime time);
+
+/// Azimuth clockwise from north and altitude over the horizontal of a place, without refraction.
+struct SunAngles {
+    Angle azimuth;
+    Angle altitude;
+};
+SunAngles sun_angles(const Globe& globe, const Vector3& sun, const LonLat& place);
+Vector3 sun_direction(const Globe& globe, const SunAngles& angles, const LonLat& place);
+
+/// Sets the direction from the time, if there is one.
+void bring_up_to_date(PlanetSun& sun);
+
+} // namespace duskline::planet_app

@@ -1,0 +1,55 @@
+#include "render_picture.h"
+
+#include "picture_target.h"
+#include "planet_files.h"
+#include "planet_scene.h"
+
+#include <duskline/gl/headless_context.h>
+#include <duskline/raster_io/write_picture.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace duskline::planet_app {
+namespace {
+
+constexpr std::size_t kSamplesPerSide = 2;
+
+void require_new(const PlanetOptions& options)
+{
+    if (!options.overwrite && std::filesystem::exists(options.render))
+        throw OutputError(fmt::format("'{}' is there already: --overwrite replaces it", options.render));
+}
+
+} // namespace
+
+void render_picture(const PlanetOptions& options, cli::Report& report)
+{
+    require_new(options);
+    const gl::HeadlessContext context;
+    const ViewedPlanet viewed = read_viewed_planet(options, report);
+    const PlanetState state = first_state(options, viewed.terrain->globe());
+    const gl::ShaderSources sources;
+    PlanetScene scene(viewed, sources);
+
+    const window::PictureTarget target(kSamplesPerSide * options.width, kSamplesPerSide * options.height);
+    target.begin();
+    const FrameCost cost = scene.draw_settled(state, target.width(), target.height());
+    const Picture picture = shrunk(target.picture(), options.height, options.width);
+    write_picture(options.render, picture.view(), options.overwrite);
+
+    const SunAngles sun = sun_angles(viewed.terrain->globe(), state.sun.direction, state.pose.place);
+    report.line(fmt::format("{}: {} x {} pixels, {} tiles, {} triangles, shadows by {}, sun at azimuth {:.1f}, {:.1f} "
+                            "degrees high",
+                            options.render, options.width, options.height, cost.drawn.tiles, cost.drawn.triangles,
+                            name_of(state.technique), sun.azimuth.degrees(), sun.altitude.degrees()));
+    report.field("output", options.render);
+    report.field("technique", name_of(state.technique));
+    report.field("tiles", cost.drawn.tiles);
+    report.field("triangles", cost.drawn.triangles);
+    report.field("azimuth_deg", sun.azimuth.degrees());
+    report.field("altitude_deg", sun.altitude.degrees());
+}
+
+} // namespace duskline::planet_app
