@@ -69,7 +69,8 @@ if(TARGET duskline_command)
   file(RELATIVE_PATH libraries_from_programs ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   set_target_properties(duskline_command PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
   if(TARGET duskline_viewer)
-    set_target_properties(duskline_viewer PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
+    set_target_properties(duskline_viewer duskline_planet
+      PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
   endif()
 endif()
 

@@ -26,9 +26,10 @@ std::vector<std::string> carried_files()
         if (files.size() == kCarried.size())
             return files;
     }
-    throw InputError(fmt::format("'{}' and '{}' are neither in the folder data nor in {}: name files of heights, or the "
-                                 "folder in DUSKLINE_DATA_DIR",
-                                 kCarried[0], kCarried[1], DUSKLINE_DATA_DIR));
+    throw InputError(
+        fmt::format("'{}' and '{}' are neither in the folder data nor in {}: name files of heights, or the "
+                    "folder in DUSKLINE_DATA_DIR",
+                    kCarried[0], kCarried[1], DUSKLINE_DATA_DIR));
 }
 
 } // namespace
@@ -38,8 +39,8 @@ ViewedPlanet read_viewed_planet(const PlanetOptions& options, cli::Report& repor
     const Execution execution{.threads = options.run.threads, .progress = {}};
     const bool bare = options.files.empty() && (options.moon || options.radius_km);
     const std::vector<std::string> files = !options.files.empty() ? options.files
-                                           : bare                ? std::vector<std::string>()
-                                                                 : carried_files();
+                                           : bare                 ? std::vector<std::string>()
+                                                                  : carried_files();
     std::vector<PlanetSource> sources;
     Globe globe = kWgs84;
     bool is_earth = !options.moon;

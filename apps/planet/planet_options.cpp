@@ -35,12 +35,14 @@ void read_pose(const std::string& typed, PlanetPose& pose)
 {
     const std::size_t comma = typed.rfind(',');
     if (comma == std::string::npos || typed.find(',') == comma)
-        throw UsageError(fmt::format("--at must be LON,LAT,HEIGHT such as -155.47,19.82,2000, got '{}'", typed));
+        throw UsageError(
+            fmt::format("--at must be LON,LAT,HEIGHT such as -155.47,19.82,2000, got '{}'", typed));
     const Place place = cli::parse_place(typed.substr(0, comma));
     pose.place = {place.longitude, place.latitude};
     pose.clearance_m = cli::parse_number("--at", typed.substr(comma + 1));
     if (!(pose.clearance_m >= 0.5 && pose.clearance_m <= 1e9))
-        throw UsageError(fmt::format("--at must have a height from 0.5 to 1e9 m over the ground, got {}", pose.clearance_m));
+        throw UsageError(fmt::format("--at must have a height from 0.5 to 1e9 m over the ground, got {}",
+                                     pose.clearance_m));
 }
 
 void add_angle(CLI::App& app, const cli::NumberOption& option, Angle& value)
@@ -52,8 +54,8 @@ void add_angle(CLI::App& app, const cli::NumberOption& option, Angle& value)
            [&value, range, names](const std::string& typed) {
                const double degrees = cli::parse_number(names, typed);
                if (!(degrees >= range.least && degrees <= range.most))
-                   throw UsageError(
-                       fmt::format("{} must be from {} to {}, got {}", names, range.least, range.most, degrees));
+                   throw UsageError(fmt::format("{} must be from {} to {}, got {}", names, range.least,
+                                                range.most, degrees));
                value = Angle::from_degrees(degrees);
            },
            option.text)
@@ -73,11 +75,13 @@ std::string technique_list()
 void add_planet(CLI::App& app, PlanetOptions& options)
 {
     app.add_option("FILE", options.files,
-                   "heights from coarse to fine: the whole planet, then parts of it; without any, those Duskline carries "
+                   "heights from coarse to fine: the whole planet, then parts of it; without any, those "
+                   "Duskline carries "
                    "(the earth by 37 km, Hawaii by 75 m)")
         ->type_name("")
         ->group("Input");
-    app.add_flag("--moon", options.moon, "the Moon: a sphere of 1737.4 km without air, sea and plants")->group(kPlanet);
+    app.add_flag("--moon", options.moon, "the Moon: a sphere of 1737.4 km without air, sea and plants")
+        ->group(kPlanet);
     app.add_flag("--sphere", options.sphere, "a sphere with the planet's equatorial radius")->group(kPlanet);
     cli::add_number(app,
                     {.names = "--radius",
@@ -86,13 +90,14 @@ void add_planet(CLI::App& app, PlanetOptions& options)
                      .range = {.least = 0.1, .most = 1e6}},
                     options.radius_km)
         ->group(kPlanet);
-    cli::add_number(app,
-                    {.names = "--detail",
-                     .unit = "FACTOR",
-                     .text = "made-up relief below what the files show, as a multiple of what the roughness around "
-                             "suggests; 0 for none",
-                     .range = {.least = 0.0, .most = 10.0}},
-                    options.detail)
+    cli::add_number(
+        app,
+        {.names = "--detail",
+         .unit = "FACTOR",
+         .text = "made-up relief below what the files show, as a multiple of what the roughness around "
+                 "suggests; 0 for none",
+         .range = {.least = 0.0, .most = 10.0}},
+        options.detail)
         ->group(kPlanet);
 }
 
@@ -138,14 +143,16 @@ void add_view(CLI::App& app, PlanetOptions& options)
                      .range = {.least = 0.1, .most = 100.0}},
                     options.look.pixel_error)
         ->group(kView);
-    app.add_flag("--mark-detail", options.look.show_made, "colour ground that no file has measured")->group(kView);
+    app.add_flag("--mark-detail", options.look.show_made, "colour ground that no file has measured")
+        ->group(kView);
 }
 
 void add_light(CLI::App& app, PlanetOptions& options)
 {
     app.add_option_function<std::string>(
            "--time", [&options](const std::string& typed) { options.time = cli::parse_time(typed); },
-           "the sun of the earth at this moment, ISO 8601 with its offset from UTC or Z: 2026-06-21T18:30-10:00")
+           "the sun of the earth at this moment, ISO 8601 with its offset from UTC or Z: "
+           "2026-06-21T18:30-10:00")
         ->type_name("TIME")
         ->group(kLight);
     cli::add_number(app,
@@ -180,14 +187,16 @@ void add_planet_options(CLI::App& app, PlanetOptions& options)
     add_light(app, options);
     add_headless(app, options);
     cli::add_run_options(app, options.run);
-    cli::add_details(app, "Shows a planet from space down to a step above the ground, under a sun that can be moved by "
-                          "date, by time and by hand. --render needs neither window nor display.");
+    cli::add_details(
+        app, "Shows a planet from space down to a step above the ground, under a sun that can be moved by "
+             "date, by time and by hand. --render needs neither window nor display.");
     cli::add_example(app, "Hawaii in the evening, as a picture",
                      "duskline-planet --render hawaii.png --at -155.5,19.0,30000 --pitch -20 --time "
                      "2026-06-21T18:30-10:00");
-    cli::add_example(app, "the Moon's Tycho at sunrise",
-                     "duskline-planet moon_tycho.tif --moon --render tycho.png --at -11.3,-46,60000 --azimuth 90 "
-                     "--altitude 8");
+    cli::add_example(
+        app, "the Moon's Tycho at sunrise",
+        "duskline-planet moon_tycho.tif --moon --render tycho.png --at -11.3,-46,60000 --azimuth 90 "
+        "--altitude 8");
 }
 
 void require_consistent(const PlanetOptions& options)

@@ -33,17 +33,22 @@ PlanetScene::PlanetScene(const ViewedPlanet& viewed, const gl::ShaderSources& so
 const TileHeights& PlanetScene::heights_of(const PlanetTile& tile)
 {
     const auto found = tiles_.find(tile);
-    return found != tiles_.end() ? found->second : tiles_.emplace(tile, viewed_.terrain->heights_of(tile)).first->second;
+    return found != tiles_.end() ? found->second
+                                 : tiles_.emplace(tile, viewed_.terrain->heights_of(tile)).first->second;
 }
 
-void PlanetScene::select(const PlanetTile& tile, const Vector3& eye, double reach, std::vector<gl::PlanetPatch>& patches)
+void PlanetScene::select(const PlanetTile& tile, const Vector3& eye, double reach,
+                         std::vector<gl::PlanetPatch>& patches)
 {
     const Globe& globe = viewed_.terrain->globe();
-    const auto diagonal = [&](std::uint32_t level) { return std::sqrt(2.0) * kTileSquares * spacing_m(globe, level); };
+    const auto diagonal = [&](std::uint32_t level) {
+        return std::sqrt(2.0) * kTileSquares * spacing_m(globe, level);
+    };
     constexpr double never = std::numeric_limits<double>::infinity();
     const auto range = [&](std::uint32_t level) {
         const double end = reach * diagonal(level);
-        return level == 0 ? MorphRange{never, never} : MorphRange{std::min(0.95*end, (reach / 2.0 + 1.0) * diagonal(level)), end};
+        return level == 0 ? MorphRange{never, never}
+                          : MorphRange{std::min(0.95 * end, (reach / 2.0 + 1.0) * diagonal(level)), end};
     };
     const OrientedBox box = box_around(globe, tile, heights_of(tile).range);
     if (tile.level == viewed_.terrain->deepest_level() || distance_m(eye, box) >= range(tile.level + 1).end_m)

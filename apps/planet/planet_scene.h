@@ -29,7 +29,8 @@ public:
 
 private:
     const TileHeights& heights_of(const PlanetTile& tile);
-    void select(const PlanetTile& tile, const Vector3& eye_m, double reach, std::vector<gl::PlanetPatch>& patches);
+    void select(const PlanetTile& tile, const Vector3& eye_m, double reach,
+                std::vector<gl::PlanetPatch>& patches);
 
     const ViewedPlanet& viewed_;
     std::unordered_map<PlanetTile, TileHeights> tiles_;

@@ -22,9 +22,9 @@ struct PlanetPose {
 
 /// The sun: of a moment, or where it was put.
 struct PlanetSun {
-    std::optional<DateTime> time;             ///< then the direction is what the sun has at that moment
-    Vector3 direction = {1.0, 0.0, 0.0};      ///< unit vector in the planet's frame
-    double clock_s_per_s = 600.0;             ///< how fast the clock runs
+    std::optional<DateTime> time;        ///< then the direction is what the sun has at that moment
+    Vector3 direction = {1.0, 0.0, 0.0}; ///< unit vector in the planet's frame
+    double clock_s_per_s = 600.0;        ///< how fast the clock runs
 };
 
 /// How shadows are found.
@@ -47,10 +47,10 @@ struct PlanetState {
     PlanetPose pose;
     PlanetSun sun;
     PlanetTechnique technique = PlanetTechnique::none;
-    float ambient = 0.25f;   ///< 0 to below 1
-    float exposure = 1.0f;   ///< above 0
+    float ambient = 0.25f;    ///< 0 to below 1
+    float exposure = 1.0f;    ///< above 0
     double pixel_error = 2.0; ///< of the mesh; above 0
-    bool show_made = false;  ///< mark what no file has measured
+    bool show_made = false;   ///< mark what no file has measured
 };
 
 /// The direction to the sun at a moment, as the earth stands then, without refraction and parallax: right to 0.003 degrees.

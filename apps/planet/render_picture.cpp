@@ -40,10 +40,11 @@ void render_picture(const PlanetOptions& options, cli::Report& report)
     write_picture(options.render, picture.view(), options.overwrite);
 
     const SunAngles sun = sun_angles(viewed.terrain->globe(), state.sun.direction, state.pose.place);
-    report.line(fmt::format("{}: {} x {} pixels, {} tiles, {} triangles, shadows by {}, sun at azimuth {:.1f}, {:.1f} "
-                            "degrees high",
-                            options.render, options.width, options.height, cost.drawn.tiles, cost.drawn.triangles,
-                            name_of(state.technique), sun.azimuth.degrees(), sun.altitude.degrees()));
+    report.line(fmt::format(
+        "{}: {} x {} pixels, {} tiles, {} triangles, shadows by {}, sun at azimuth {:.1f}, {:.1f} "
+        "degrees high",
+        options.render, options.width, options.height, cost.drawn.tiles, cost.drawn.triangles,
+        name_of(state.technique), sun.azimuth.degrees(), sun.altitude.degrees()));
     report.field("output", options.render);
     report.field("technique", name_of(state.technique));
     report.field("tiles", cost.drawn.tiles);

@@ -16,7 +16,7 @@ const TileHeights& MadePlanet::heights_of(const PlanetTile& tile)
             const Vector3 direction =
                 sample_direction(tile, static_cast<double>(row) - 1.0, static_cast<double>(column) - 1.0);
             heights.heights_m(row, column) = static_cast<float>(ground_m(direction));
-            heights.measured(row, column) = 1;
+            heights.measured(row, column) = measured_ ? 1 : 0;
         }
     heights.range = {std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
     for (const float height_m : heights.heights_m.values())

@@ -23,11 +23,15 @@ public:
         return [this](const PlanetTile& tile) -> const TileHeights& { return heights_of(tile); };
     }
 
+    /// What tiles say of all their samples, from now on.
+    void set_measured(bool measured) { measured_ = measured; }
+
     double ground_m(const Vector3& direction) const { return height_ ? height_(direction) : 0.0; }
 
 private:
     Globe globe_;
     Height height_;
+    bool measured_ = true;
     std::map<PlanetTile, TileHeights> tiles_;
 };
 

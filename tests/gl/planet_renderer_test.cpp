@@ -117,7 +117,7 @@ TEST_F(PlanetPicture, HasNoHoles)
     for (const double height_m : {250000.0, 900000.0})
         for (const double heading_deg : {20.0, 200.0}) {
             const Vector3 eye_m = normalized({0.9, 0.35 + 1e-4 * heading_deg, 0.85}) * (kRadius_m + height_m);
-            const auto patches = patches_around(scene.planet, eye_m, 1.5, 4);
+            const auto patches = patches_around(scene.planet, eye_m, 1.3, 4);
             const Pixels picture = scene.picture(scene.view_from(eye_m, heading_deg, -25.0), patches);
             for (std::size_t column = 0; column < picture.columns(); ++column) {
                 std::size_t row = 0;
@@ -179,7 +179,7 @@ TEST_F(PlanetPicture, FadesWithDistance)
     scene.light.to_sun = normalized({1.0, 0.3, 0.2});
     const Vector3 eye_m = {6378137.0 + 1500.0, 0.0, 0.0};
     const Pixels picture =
-        scene.picture(scene.view_from(eye_m, 40.0, -12.0), patches_around(scene.planet, eye_m, 2.0, 6));
+        scene.picture(scene.view_from(eye_m, 40.0, -12.0), patches_around(scene.planet, eye_m, 1.2, 5));
     int before = 255;
     for (std::size_t row = 0; row < 150; ++row) {
         if (picture(row, 100) == kBackground)
@@ -206,34 +206,39 @@ TEST_F(PlanetPicture, HasALimbThatGlows)
     EXPECT_GT(brightest, 450);
 }
 
-// Half of the sky's light stays under shadow heights above the ground, all under those below.
 TEST_F(PlanetPicture, IsDarkUnderShadowHeights)
 {
     Scene scene(kWgs84, [](const Vector3&) { return 500.0; });
-    Grid<float> below(kTileSquares + 1, kTileSquares + 1, 400.0f);
-    Grid<float> above(kTileSquares + 1, kTileSquares + 1, 600.0f);
+    using Heights = std::shared_ptr<const Grid<float>>;
+    const Heights below = std::make_shared<const Grid<float>>(kTileSquares + 1, kTileSquares + 1, 400.0f);
+    const Heights above = std::make_shared<const Grid<float>>(kTileSquares + 1, kTileSquares + 1, 600.0f);
     const Vector3 eye_m = {8e6, 0.0, 0.0};
-    const PlanetView view = scene.view_from(eye_m, 0.0, -89.9);
-    const auto patches = patches_around(scene.planet, eye_m, 1.5, 3);
-    const auto middle = [&](const Grid<float>& heights, std::uint64_t version) {
-        const PlanetShadowHeights shadows = {[&](const PlanetTile&) { return &heights; }, version};
-        return scene.picture(view, patches, {&shadows})(75, 100);
+    const PlanetView view = scene.view_from(eye_m, 0.0, -90.0);
+    const auto patches = patches_around(scene.planet, eye_m, 1.5, 2);
+    const auto middle = [&](const ShadowHeightsOf& heights_of) {
+        return scene.picture(view, patches, {heights_of})(75, 100);
     };
-    const Pixel lit = scene.picture(view, patches)(75, 100);
-    EXPECT_EQ(middle(below, 1), lit);
-    EXPECT_LT(brightness(middle(above, 2)), brightness(lit) - 100);
-    EXPECT_EQ(middle(below, 3), lit);
-    const PlanetShadowHeights unknown = {[](const PlanetTile&) { return nullptr; }, 4};
-    EXPECT_EQ(scene.picture(view, patches, {&unknown})(75, 100), lit) << "those of the sun before stay";
+    const Pixel lit = middle({});
+    EXPECT_EQ(middle([&](const PlanetTile&) { return below; }), lit);
+    const Pixel dark = middle([&](const PlanetTile&) { return above; });
+    EXPECT_LT(brightness(dark), brightness(lit) - 100);
+    EXPECT_EQ(middle([](const PlanetTile&) { return Heights(); }), lit);
+    // Where the finest are missing their parents' do.
+    EXPECT_EQ(middle([&](const PlanetTile& tile) { return tile.level == 2 ? Heights() : above; }), dark);
 }
 
 TEST_F(PlanetPicture, MarksWhatIsMadeUp)
 {
-    Scene scene(kWgs84, [](const Vector3&) { return 500.0; });
-    PlanetView view = scene.view_from({8e6, 0.0, 0.0}, 0.0, -89.9);
-    const Pixel measured = scene.picture(view, whole_level(0))(75, 100);
-    view.show_made = true;
-    EXPECT_EQ(scene.picture(view, whole_level(0))(75, 100), measured);
+    const auto middle = [](bool measured, bool marked) {
+        Scene scene(kWgs84, [](const Vector3&) { return 500.0; });
+        scene.planet.set_measured(measured);
+        PlanetView view = scene.view_from({8e6, 0.0, 0.0}, 0.0, -90.0);
+        view.show_made = marked;
+        return scene.picture(view, whole_level(0))(75, 100);
+    };
+    EXPECT_EQ(middle(true, true), middle(true, false));
+    EXPECT_EQ(middle(false, false), middle(true, false));
+    EXPECT_GT(middle(false, true)[0], middle(false, false)[0] + 20);
 }
 
 // What a light sees, from where the eye sees too: the same depth to a few units in the last place.
@@ -246,7 +251,6 @@ TEST_F(PlanetPicture, HasOneMeshForEyesAndLights)
     const Texture colour(TextureFormat::rgba8, view.width, view.height);
     const Texture seen(TextureFormat::depth32f, view.width, view.height);
     const Texture cast(TextureFormat::depth32f, view.width, view.height);
-    Framebuffer({&colour}, &seen).bind();
     const Framebuffer first({&colour}, &seen);
     first.bind();
     scene.renderer.draw_ground(view, scene.light, patches);

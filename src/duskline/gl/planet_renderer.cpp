@@ -158,8 +158,8 @@ void PlanetRenderer::hold(std::span<const PlanetPatch> patches, const PlanetShad
 {
     const std::vector<PlanetTile> tiles = tiles_needed(patches);
     textures_.hold(tiles);
-    if (shadow.heights != nullptr)
-        textures_.hold_shadows(tiles, *shadow.heights);
+    if (shadow.heights_of)
+        textures_.hold_shadows(tiles, shadow.heights_of);
 }
 
 void PlanetRenderer::upload_tiles(const Vector3& eye_m, std::span<const PlanetPatch> patches)
@@ -186,8 +186,8 @@ void PlanetRenderer::upload_tiles(const Vector3& eye_m, std::span<const PlanetPa
         here.parent_layer = parent.index;
         here.in_parent = {static_cast<std::int32_t>(tile.column % 2) * kTileSquares / 2,
                           static_cast<std::int32_t>(tile.row % 2) * kTileSquares / 2};
-        here.has_shadow = own.shadow_version > 0 ? 1 : 0;
-        here.parent_has_shadow = parent.shadow_version > 0 ? 1 : 0;
+        here.has_shadow = own.shadow_heights_m ? 1 : 0;
+        here.parent_has_shadow = parent.shadow_heights_m ? 1 : 0;
         on_card.push_back(here);
     }
     tiles_.upload(on_card);
@@ -254,8 +254,7 @@ DrawnPlanet PlanetRenderer::draw_ground(const PlanetView& view, const PlanetLigh
 {
     hold(patches, shadow);
     upload_tiles(view.eye_m, patches);
-    const Program& program =
-        ground_program(shadow.heights != nullptr ? ShadowKind::heights : ShadowKind::none);
+    const Program& program = ground_program(shadow.heights_of ? ShadowKind::heights : ShadowKind::none);
     const double aspect = static_cast<double>(view.width) / static_cast<double>(view.height);
     program.use();
     set_surface(program);

@@ -46,7 +46,7 @@ struct PlanetPatch {
 
 /// Where the shadows of a picture come from.
 struct PlanetShadow {
-    const PlanetShadowHeights* heights = nullptr; ///< null: only ground that faces away from the sun is dark
+    ShadowHeightsOf heights_of = {}; ///< none: only ground that faces away from the sun is dark
 };
 
 /// What was drawn.

@@ -73,17 +73,16 @@ void PlanetTextures::hold(std::span<const PlanetTile> tiles)
             load(tile);
 }
 
-void PlanetTextures::hold_shadows(std::span<const PlanetTile> tiles, const PlanetShadowHeights& shadows)
+void PlanetTextures::hold_shadows(std::span<const PlanetTile> tiles, const ShadowHeightsOf& shadow_heights_of)
 {
     for (const PlanetTile& tile : tiles) {
         Layer& layer = slots_.at(tile).layer;
-        if (layer.shadow_version == shadows.version)
+        std::shared_ptr<const Grid<float>> heights_m = shadow_heights_of(tile);
+        if (heights_m == layer.shadow_heights_m)
             continue;
-        const Grid<float>* heights_m = shadows.of(tile);
-        if (heights_m == nullptr) // those of an earlier sun do until then
-            continue;
-        shadow_heights_.upload(heights_m->view(), static_cast<std::size_t>(layer.index));
-        layer.shadow_version = shadows.version;
+        if (heights_m)
+            shadow_heights_.upload(heights_m->view(), static_cast<std::size_t>(layer.index));
+        layer.shadow_heights_m = std::move(heights_m);
     }
 }
 

@@ -6,19 +6,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
 namespace duskline::gl {
 
-/// Shadow heights of a planet's tiles for one sun.
-struct PlanetShadowHeights {
-    /// kTileSquares + 1 samples a side, rows along v upwards; null where they are not yet known: those of an earlier sun
-    /// stay until then. The pointer is used at once.
-    std::function<const Grid<float>*(const PlanetTile&)> of;
-    std::uint64_t version = 0; ///< another for every sun, and whenever they change; above 0
-};
+/// Shadow heights of a planet's tiles: kTileSquares + 1 samples a side, rows along v upwards; null where they are not
+/// known. Grids must not change: another answer is another grid.
+using ShadowHeightsOf = std::function<std::shared_ptr<const Grid<float>>(const PlanetTile&)>;
 
 /// Tiles of a planet on the graphics card: each has a layer of three texture arrays, for its heights (r32f, with the
 /// border), what of them is measured (r8, the same size) and its shadow heights (r32f, without border). Some 160 KB a
@@ -34,14 +31,14 @@ public:
     /// context has layers, and what `heights_of` throws. Cost: some 50 us for a tile that is not there.
     void hold(std::span<const PlanetTile> tiles);
 
-    /// Brings the shadow heights of tiles that are held up to date.
-    void hold_shadows(std::span<const PlanetTile> tiles, const PlanetShadowHeights& shadows);
+    /// Brings the shadow heights of tiles that are held up to date. Cost: some 50 us for each that has others than before.
+    void hold_shadows(std::span<const PlanetTile> tiles, const ShadowHeightsOf& shadow_heights_of);
 
     /// What was held.
     struct Layer {
         std::int32_t index = 0;
-        float reference_m = 0.0f;         ///< a height amid those of the tile
-        std::uint64_t shadow_version = 0; ///< of the shadow heights that are there; 0 for none
+        float reference_m = 0.0f;                            ///< a height amid those of the tile
+        std::shared_ptr<const Grid<float>> shadow_heights_m; ///< those that are there; null for none
     };
     const Layer& layer_of(const PlanetTile& tile) const { return slots_.at(tile).layer; }
 

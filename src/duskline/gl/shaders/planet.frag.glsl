@@ -55,10 +55,10 @@ vec3 ground_colour(vec3 outwards, float steepness)
     if (!living)
         return mix(vec3(0.20, 0.19, 0.18), vec3(0.30, 0.29, 0.28), smoothstep(-3000.0, 4000.0, height_m));
     if (height_m <= 0.0)
-        return vec3(0.020, 0.060, 0.120);
+        return vec3(0.012, 0.036, 0.075);
     float northern = abs(outwards.z);
-    vec3 low = mix(vec3(0.085, 0.130, 0.045), vec3(0.120, 0.120, 0.070), smoothstep(0.3, 0.9, northern));
-    vec3 colour = mix(low, vec3(0.190, 0.160, 0.090), smoothstep(300.0, 1800.0, height_m));
+    vec3 low = mix(vec3(0.065, 0.115, 0.030), vec3(0.115, 0.110, 0.060), smoothstep(0.3, 0.9, northern));
+    vec3 colour = mix(low, vec3(0.200, 0.160, 0.085), smoothstep(200.0, 1800.0, height_m));
     colour = mix(colour, vec3(0.210, 0.180, 0.150), smoothstep(1600.0, 3200.0, height_m));
     colour = mix(colour, vec3(0.160, 0.145, 0.130), smoothstep(0.35, 0.8, steepness));
     float snow_line_m = 5200.0 * (1.0 - smoothstep(0.30, 0.96, northern)) - 200.0;
@@ -73,7 +73,7 @@ vec3 light_on(vec3 outwards, float lit)
     vec3 sun = sunlight_at(outwards, height_m) * max(0.0, dot(facing, towards_sun)) * lit;
     float day = air ? smoothstep(-0.12, 0.25, sine) : smoothstep(0.0, 0.1, sine);
     float open = 0.5 + 0.5 * dot(facing, outwards);
-    vec3 sky = mix(vec3(1.0), vec3(0.75, 0.90, 1.20), air ? 1.0 : 0.0) * (ambient * day * open);
+    vec3 sky = mix(vec3(1.0), vec3(0.84, 0.95, 1.14), air ? 1.0 : 0.0) * (ambient * day * open);
     return sun * (1.0 - ambient) * 1.6 + sky + vec3(0.004, 0.006, 0.012);
 }
 

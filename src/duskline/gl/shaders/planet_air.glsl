@@ -11,8 +11,7 @@
 
 const float kPi = 3.14159265;
 const float kScaleHeight_m = 8000.0;
-const vec3 kScattered = vec3(0.055, 0.125, 0.290); // of a ray straight up: red, green and blue
-const float kAirGlow = 1.15;
+const vec3 kScattered = vec3(0.024, 0.055, 0.130); // of a ray straight up: red, green and blue
 
 uniform vec3 eye_stretched_m; // from the centre; the polar axis stretched so that the planet is a sphere
 uniform float polar_stretch;
@@ -90,6 +89,8 @@ Haze haze_before(vec3 from_eye_m)
     vec3 middle_m = eye_stretched_m + lowest_m * direction;
     vec3 light = sunlight_at(normalize(middle_m), max(height_of(middle_m), 0.0) + kScaleHeight_m);
     float forward = max(0.0, dot(normalize(from_eye_m), towards_sun));
-    vec3 glow = light * (kAirGlow + 0.35 * pow(forward, 8.0) + 0.6 * pow(forward, 64.0));
-    return Haze(passed, (1.0 - passed) * (glow + vec3(0.006, 0.010, 0.022)));
+    // From within, the sky looks brighter than from space, where eyes are used to sunlit ground.
+    float brightness = 0.9 + 0.9 * exp(-max(height_of(eye_stretched_m), 0.0) / (3.0 * kScaleHeight_m));
+    vec3 glow = light * (brightness + 0.35 * pow(forward, 8.0) + 0.6 * pow(forward, 64.0));
+    return Haze(passed, (1.0 - passed) * (glow + vec3(0.004, 0.007, 0.016)));
 }

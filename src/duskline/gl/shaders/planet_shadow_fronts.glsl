@@ -27,11 +27,15 @@ float clearance_m(int layer, vec2 corner)
 
 float planet_shadow(PlanetPlace place)
 {
-    if (place.layers.z == 0)
+    bool own = place.layers.z != 0;
+    bool parents = place.layers.w != 0;
+    if (!own && !parents)
         return 1.0;
-    float clear_m = clearance_m(place.layers.x, place.at);
-    if (place.turned > 0.0 && place.layers.w != 0)
-        clear_m = mix(clear_m, clearance_m(place.layers.y, vec2(place.in_parent) + 0.5 * place.at), place.turned);
+    // What is missing stands back for what is there.
+    float turned = own ? (parents ? place.turned : 0.0) : 1.0;
+    float own_m = turned < 1.0 ? clearance_m(place.layers.x, place.at) : 0.0;
+    float parents_m = turned > 0.0 ? clearance_m(place.layers.y, vec2(place.in_parent) + 0.5 * place.at) : 0.0;
+    float clear_m = mix(own_m, parents_m, turned);
     // An edge is as wide as a pixel.
     float soft_m = max(0.7 * fwidth(clear_m), 1e-3);
     return smoothstep(-soft_m, soft_m, clear_m);
