@@ -1,5 +1,6 @@
 #include "planet/made_ground.h"
 
+#include <cmath>
 #include <utility>
 
 namespace duskline {
@@ -35,6 +36,17 @@ PlanetLevel MadeGround::at_level(std::uint32_t level) const
 {
     return {globe_, level, range_,
             [this](const PlanetTile& tile) -> const TileHeights& { return heights_of(tile); }};
+}
+
+double mountains_m(const Vector3& d)
+{
+    const auto ridges = [&](double frequency) {
+        const double x = std::sin(frequency * d.x + 2.0 * std::sin(frequency * d.y));
+        const double y = std::sin(frequency * 1.3 * d.y - 1.7 * std::cos(frequency * d.z));
+        return 1.0 - std::abs(x + y + std::sin(frequency * 0.8 * d.z)) / 3.0;
+    };
+    return 9000.0 * (0.5 * ridges(9.0) + 0.2 * ridges(31.0) + 0.2 * ridges(89.0) + 0.1 * ridges(230.0))
+           * ridges(5.0);
 }
 
 } // namespace duskline

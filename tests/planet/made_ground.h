@@ -32,4 +32,8 @@ private:
     mutable std::map<PlanetTile, std::shared_ptr<const TileHeights>> tiles_;
 };
 
+/// Ranges of some hundred kilometres with smaller ones on them, 0 to 9000 m: a function of the direction.
+double mountains_m(const Vector3& direction);
+inline constexpr HeightRange kMountains = {0.0F, 9000.0F};
+
 } // namespace duskline

@@ -14,6 +14,7 @@
 // along the face's axis: |(1, u, v)| / depth is the radius' inverse.
 
 #include <duskline/geometry/invalid_input.h>
+#include <duskline/planet/light_section.h>
 #include <duskline/planet/planet_ray.h>
 
 #include <algorithm>
@@ -47,33 +48,6 @@ ThetaRange not_below_zero(double a, double b)
         return {middle - kPi / 2.0, middle + kPi / 2.0};
     return a > 0.0 ? ThetaRange{0.0, middle + kPi / 2.0} : ThetaRange{middle + 1.5 * kPi, kPi};
 }
-
-// The ellipsoid's section by a half-plane: x along the light, y away from its axis, xx x^2 + 2 xy x y + yy y^2 = 1.
-struct Section {
-    double xx;
-    double xy;
-    double yy;
-
-    Section(const Globe& globe, const Vector3& to_sun, const Vector3& outward)
-    {
-        const auto scaled = [&](const Vector3& v) {
-            return Vector3{v.x / globe.equatorial_radius_m, v.y / globe.equatorial_radius_m,
-                           v.z / globe.polar_radius_m};
-        };
-        xx = dot(scaled(to_sun), scaled(to_sun));
-        xy = dot(scaled(to_sun), scaled(outward));
-        yy = dot(scaled(outward), scaled(outward));
-    }
-    // Where the ellipsoid is farthest from the axis, and how far.
-    double widest_theta() const { return std::atan2(xx, -xy); }
-    double greatest_rho_m() const { return std::sqrt(xx / (xx * yy - xy * xy)); }
-    double radius_m(double theta) const
-    {
-        const double c = std::cos(theta);
-        const double s = std::sin(theta);
-        return 1.0 / std::sqrt(xx * c * c + 2.0 * xy * c * s + yy * s * s);
-    }
-};
 
 // One walk towards the sun.
 class March {
@@ -164,8 +138,9 @@ private:
         };
         const double from = line_at(thetas.high);
         const double to = line_at(thetas.low);
-        // The line under the start is its own; those at the border of a face belong to both faces.
-        const double slack = thetas.high == start_ ? kOwnGround : -kOwnGround;
+        // The line under the start is its own, on both faces if it is on an edge; other lines on edges belong to both.
+        const bool from_start = start_ - thetas.high < kOwnGround * step_;
+        const double slack = from_start ? kOwnGround : -kOwnGround;
         if (std::abs(to - from) <= kOwnGround) // along the lines
             return;
         if (to > from)
@@ -238,7 +213,7 @@ private:
     Vector3 outward_;
     std::int64_t samples_;
     double step_;
-    Section section_;
+    LightSection section_;
     double falling_below_; // nearer to the sun than this theta, the greatest distance possible only falls
     double rho_m_;
     bool stop_at_first_;

@@ -1,0 +1,668 @@
+// Light keeps its distance rho from the axis and its turn about it, so along a beam (the half-plane of one turn) the shadow
+// reaches as high as the farthest ground it has met, and a front is one number a beam:
+//
+//      row 3   o----o-x--o--x-o---x      o  samples
+//                    /    |    |         x  beams, straight on a face of the cube, half a cell apart or nearer; all
+//      row 2   o----x-o--x--o--x-o          come from the one point where the light's axis meets the plane of the face
+//                  /    |   |            ^  away from the sun: rows in this order, or columns for beams that run
+//      row 1   o---x--o-x---ox---o       |  more along rows
+//
+//   at every row       answer its samples: the front between the two beams beside them, as a height
+//   then, at a beam    front = max(front, distance from the axis of the ground between the two samples beside it),
+//                      and the same where it crosses from one column to the next on its way to the next row
+//
+// Rows and columns are treated alike: "lines", along which x counts the cells. A beam belongs to rows or to columns by its
+// direction on the face, for all its way over it. Samples on edges over which light enters are the neighbour's and are copied;
+// a sample on another edge may have only one beam beside it, and has a beam of its own.
+//
+// After Timonen and Westerholm, Scalable Height Field Self-Shadowing, 2010 (a height carried along the light) as in
+// casting/sweep; here it is carried about the axis of a globe.
+
+#include <duskline/planet/light_section.h>
+#include <duskline/planet/planet_front.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace duskline {
+
+namespace {
+
+constexpr std::int32_t kLast = kTileSquares; // line and cell
+constexpr std::size_t kSamples = kTileSquares + 1;
+constexpr double kNotPassed = -1.0;
+
+// Cells by which a beam may miss a tile and still count as on its edge.
+constexpr double kEdgeSlack = 1e-6;
+
+// Steps by which a beam may be beside the range that a tile's corners have, so that one along an edge is among its beams.
+constexpr double kRangeSlack = 1e-4;
+
+bool is_of_u(TileEdge edge)
+{
+    return edge == TileEdge::lowest_u || edge == TileEdge::highest_u;
+}
+
+bool is_highest(TileEdge edge)
+{
+    return edge == TileEdge::highest_u || edge == TileEdge::highest_v;
+}
+
+// The row and column of sample i along an edge, counted along u or v.
+struct SampleIndex {
+    std::size_t row;
+    std::size_t column;
+};
+
+SampleIndex sample_on(TileEdge edge, std::size_t i)
+{
+    const std::size_t across = is_highest(edge) ? kTileSquares : 0;
+    return is_of_u(edge) ? SampleIndex{i, across} : SampleIndex{across, i};
+}
+
+// How much the sun is on the far side (greater x) of the line x = const on a face; exact negatives for both faces of an edge.
+double towards_greater_x(const FaceVector& sun, double x)
+{
+    return sun.x - x * sun.ahead;
+}
+
+// A tile seen by lines: rows, or columns with u and v exchanged.
+struct LineFrame {
+    LinesAlong lines;
+    FaceVector sun;
+    double first_x; // of cell 0
+    double first_y; // of line 0
+    double step;    // from cell to cell and line to line
+
+    LineFrame(const LightAxis& axis, const PlanetTile& tile, LinesAlong lines_along) : lines(lines_along)
+    {
+        sun = on_face(axis.to_sun, tile.face, lines);
+        const FacePlace first = sample_place(tile, 0, 0);
+        first_x = lines == LinesAlong::u ? first.u : first.v;
+        first_y = lines == LinesAlong::u ? first.v : first.u;
+        step = 2.0 / static_cast<double>(std::uint64_t{kTileSquares} << tile.level);
+    }
+
+    double x_of(double cell) const { return first_x + cell * step; }
+    double y_of(double line) const { return first_y + line * step; }
+    // Light moves over cells and lines in the direction of the negative of these.
+    double sun_across_cells(double cell) const { return towards_greater_x(sun, x_of(cell)); }
+    double sun_across_lines(double line) const { return sun.y - y_of(line) * sun.ahead; }
+
+    TileEdge edge_of_lines(bool highest) const
+    {
+        if (lines == LinesAlong::u)
+            return highest ? TileEdge::highest_v : TileEdge::lowest_v;
+        return highest ? TileEdge::highest_u : TileEdge::lowest_u;
+    }
+    TileEdge edge_of_cells(bool highest) const
+    {
+        if (lines == LinesAlong::u)
+            return highest ? TileEdge::highest_u : TileEdge::lowest_u;
+        return highest ? TileEdge::highest_v : TileEdge::lowest_v;
+    }
+    FacePlace place(double line, double cell) const
+    {
+        return lines == LinesAlong::u ? FacePlace{x_of(cell), y_of(line)} : FacePlace{y_of(line), x_of(cell)};
+    }
+};
+
+// The samples of a tile by lines.
+class LineSurface {
+public:
+    LineSurface(const Globe& globe, const PlanetTile& tile, const TileHeights& heights,
+                const LineFrame& frame)
+        : inverse_depth_(kSamples, kSamples), base_m_(kSamples, kSamples), norm_(kSamples, kSamples)
+    {
+        const CubeFaceAxes axes = axes_of_face(tile.face);
+        const double flat = 1.0 / (globe.equatorial_radius_m * globe.equatorial_radius_m);
+        const double polar = 1.0 / (globe.polar_radius_m * globe.polar_radius_m) - flat;
+        for (std::int32_t line = 0; line <= kLast; ++line)
+            for (std::int32_t cell = 0; cell <= kLast; ++cell) {
+                const bool rows = frame.lines == LinesAlong::u;
+                const FacePlace place = frame.place(line, cell);
+                const double z = axes.axis.z + axes.right.z * place.u + axes.up.z * place.v;
+                const double squared = 1.0 + place.u * place.u + place.v * place.v;
+                const double norm = std::sqrt(squared);
+                const double base_m = norm / std::sqrt(squared * flat + z * z * polar);
+                const double height_m =
+                    static_cast<double>(heights.height_m(rows ? line : cell, rows ? cell : line));
+                const auto l = static_cast<std::size_t>(line);
+                const auto c = static_cast<std::size_t>(cell);
+                norm_(l, c) = norm;
+                base_m_(l, c) = base_m;
+                inverse_depth_(l, c) = norm / (base_m + height_m);
+            }
+    }
+
+    // The ground at a place on a line: 1 / depth, which is straight between samples (see planet_ray.cpp).
+    double on_line(std::size_t line, double cell) const
+    {
+        const auto left = std::min(static_cast<std::size_t>(cell), kSamples - 2);
+        const double share = cell - static_cast<double>(left);
+        const double* const at = inverse_depth_.row(line).data() + left;
+        return at[0] + share * (at[1] - at[0]);
+    }
+    // And on a line along the cells' other way.
+    double across_lines(double line, std::size_t cell) const
+    {
+        const auto below = std::min(static_cast<std::size_t>(line), kSamples - 2);
+        const double share = line - static_cast<double>(below);
+        return (1.0 - share) * inverse_depth_(below, cell) + share * inverse_depth_(below + 1, cell);
+    }
+    // The shadow height of a sample where light as far from the axis as `roof` times (1, x, y) passes.
+    float shadow_height_m(std::size_t line, std::size_t cell, double roof) const
+    {
+        const double height_m = norm_(line, cell) * roof - base_m_(line, cell);
+        return std::min(static_cast<float>(height_m), kDeepNight_m);
+    }
+    double base_m(std::size_t line, std::size_t cell) const { return base_m_(line, cell); }
+
+private:
+    Grid<double> inverse_depth_;
+    Grid<double> base_m_;
+    Grid<double> norm_;
+};
+
+// A beam over a tile: its cell, and its distance from the axis at depth 1, are straight functions of the line.
+struct Beam {
+    double cell0;
+    double cells_per_line;
+    double part0;
+    double part_per_line;
+    double rho_m = kNotPassed;
+    double turn;
+    Vector3 outward;
+    bool lends = false; // only stands beside beams of this pass and belongs to another
+
+    Beam(const LineFrame& frame, const PlanetTile& tile, const Vector3& outward_of_beam, double turn_of_beam)
+        : turn(turn_of_beam), outward(outward_of_beam)
+    {
+        const BeamLine way(frame.sun, on_face(outward, tile.face, frame.lines));
+        const double x0 = way.x_at(frame.first_y);
+        cell0 = (x0 - frame.first_x) / frame.step;
+        cells_per_line = way.dx / way.dy;
+        part0 = way.axis_part(x0, frame.first_y);
+        part_per_line = (way.outward.x * cells_per_line + way.outward.y) * frame.step;
+    }
+
+    double cell_at(double line) const { return cell0 + line * cells_per_line; }
+    double part_at(double line) const { return part0 + line * part_per_line; }
+};
+
+// Beams of a tile by their numbers, in steps of 2^-log2 turns.
+struct BeamRange {
+    std::uint32_t log2;
+    std::int64_t first;
+    std::int64_t count;
+    bool full_turn;
+
+    double turn(std::int64_t i) const
+    {
+        return std::ldexp(static_cast<double>(first + i), -static_cast<int>(log2));
+    }
+};
+
+class TileCast {
+public:
+    TileCast(const Globe& globe, const LightAxis& axis, const PlanetTile& tile, const TileHeights& heights,
+             const EnteringLight& entering)
+        : globe_(globe), axis_(axis), tile_(tile), heights_(heights), entering_(entering)
+    {
+        for (const TileEdge edge : kTileEdges)
+            enters_.at(static_cast<std::size_t>(edge)) = light_enters(axis, tile, edge);
+    }
+
+    TileShadow run()
+    {
+        beams_ = beams_of_tile();
+        shadow_.leaving = {beams_.log2, beams_.first,
+                           std::vector<double>(static_cast<std::size_t>(beams_.count), kNotPassed)};
+        fill_for_no_beam();
+        for (const LinesAlong lines : {LinesAlong::u, LinesAlong::v}) {
+            const LineFrame frame(axis_, tile_, lines);
+            if (!has_beams_across(frame))
+                continue;
+            const LineSurface surface(globe_, tile_, heights_, frame);
+            for (const int direction : {1, -1})
+                sweep(frame, surface, direction);
+        }
+        // A corner is rather a neighbour's than the ancestor's.
+        for (const bool with_neighbour : {false, true})
+            for (const TileEdge edge : kTileEdges)
+                if (enters(edge) && with_neighbour == (neighbour_across(edge) != nullptr))
+                    copy_edge(edge);
+        return std::move(shadow_);
+    }
+
+private:
+    const TileShadow* neighbour_across(TileEdge edge) const
+    {
+        return entering_.neighbours.at(static_cast<std::size_t>(edge));
+    }
+    bool enters(TileEdge edge) const { return enters_.at(static_cast<std::size_t>(edge)); }
+
+    // Only where the axis meets the tile no beam passes.
+    void fill_for_no_beam()
+    {
+        const bool day = dot(centre_direction(tile_), axis_.to_sun) > 0.0;
+        const auto nothing_m = static_cast<float>(-globe_.equatorial_radius_m);
+        std::fill(shadow_.heights_m.values().begin(), shadow_.heights_m.values().end(),
+                  day ? nothing_m : kDeepNight_m);
+    }
+
+    // Whether light over some of the tile crosses more lines than cells. A corner then does, or the axis is in the tile.
+    bool has_beams_across(const LineFrame& frame) const
+    {
+        if (beams_.full_turn)
+            return true;
+        for (const double line : {0.0, static_cast<double>(kLast)})
+            for (const double cell : {0.0, static_cast<double>(kLast)})
+                if (is_across_lines(frame, line, cell))
+                    return true;
+        return false;
+    }
+
+    // Rows have the diagonals.
+    static bool is_across_lines(const LineFrame& frame, double line, double cell)
+    {
+        const double lines = std::abs(frame.sun_across_lines(line));
+        const double cells = std::abs(frame.sun_across_cells(cell));
+        return frame.lines == LinesAlong::u ? lines >= cells : lines > cells;
+    }
+
+    // --- the beams
+
+    BeamRange beams_of_tile() const
+    {
+        const LineFrame frame(axis_, tile_, LinesAlong::u);
+        const std::uint32_t log2 = beams_log2(frame);
+        const double beams = std::ldexp(1.0, static_cast<int>(log2));
+        if (axis_is_in(frame))
+            return {log2, 0, static_cast<std::int64_t>(beams), true};
+        const double middle = turn_of(axis_, centre_direction(tile_));
+        double low = 0.0;
+        double high = 0.0;
+        for (const std::int32_t row : {0, kLast})
+            for (const std::int32_t column : {0, kLast}) {
+                const double turn = turn_of(axis_, sample_direction(tile_, row, column)) - middle;
+                low = std::min(low, turn - std::round(turn));
+                high = std::max(high, turn - std::round(turn));
+            }
+        const auto first = static_cast<std::int64_t>(std::ceil((middle + low) * beams - kRangeSlack));
+        const auto last = static_cast<std::int64_t>(std::floor((middle + high) * beams + kRangeSlack));
+        return {log2, first, std::max<std::int64_t>(last - first + 1, 0), false};
+    }
+
+    // Enough that two neighbours are at most half a cell apart, along rows where they cross rows, else along columns. They
+    // are farthest apart at a corner: from there to the axis the distance falls.
+    std::uint32_t beams_log2(const LineFrame& frame) const
+    {
+        double cells_per_turn = 1.0;
+        for (const double line : {0.0, static_cast<double>(kLast)})
+            for (const double cell : {0.0, static_cast<double>(kLast)}) {
+                const double a = frame.sun_across_cells(cell);
+                const double b = frame.sun_across_lines(line);
+                const double c = frame.y_of(line) * frame.sun.x - frame.x_of(cell) * frame.sun.y;
+                const double most = std::max(std::abs(a), std::abs(b));
+                if (most > 0.0)
+                    cells_per_turn = std::max(cells_per_turn, 2.0 * std::numbers::pi * (a * a + b * b + c * c)
+                                                                  / (most * frame.step));
+            }
+        return static_cast<std::uint32_t>(std::ceil(std::log2(2.0 * cells_per_turn)));
+    }
+
+    static bool axis_is_in(const LineFrame& frame)
+    {
+        const auto changes_sign = [](double low, double high, double slack) {
+            return (low >= -slack && high <= slack) || (low <= slack && high >= -slack);
+        };
+        const double slack = kEdgeSlack * frame.step * std::abs(frame.sun.ahead);
+        return frame.sun.ahead != 0.0
+               && changes_sign(frame.sun_across_cells(0), frame.sun_across_cells(kLast), slack)
+               && changes_sign(frame.sun_across_lines(0), frame.sun_across_lines(kLast), slack);
+    }
+
+    // Beams that cross lines in a direction, by their cells on every line, with one more on either side.
+    std::vector<Beam> beams_across(const LineFrame& frame, int direction) const
+    {
+        // Over a whole turn the beams wanted may go on over its end.
+        const std::int64_t end = beams_.full_turn ? 2 * beams_.count : beams_.count;
+        const auto wanted = [&](std::int64_t i) {
+            const FaceVector outward = on_face(outward_at(axis_, beams_.turn(i)), tile_.face, frame.lines);
+            const BeamLine way(frame.sun, outward);
+            const double lines = way.dy * direction;
+            const double cells = std::abs(way.dx);
+            return lines > 0.0 && (frame.lines == LinesAlong::u ? lines >= cells : lines > cells);
+        };
+        std::int64_t first = 0;
+        if (beams_.full_turn)
+            while (first < end && wanted(first))
+                ++first;
+        while (first < end && !wanted(first))
+            ++first;
+        std::int64_t last = first;
+        while (last < end && wanted(last))
+            ++last;
+        std::vector<Beam> beams;
+        if (first == last)
+            return beams;
+        for (std::int64_t i = first - 1; i <= last; ++i) {
+            beams.emplace_back(frame, tile_, outward_at(axis_, beams_.turn(i)), beams_.turn(i));
+            beams.back().lends = i < first || i == last;
+        }
+        // In the order of their cells, on a line where they are apart: they come from the sun, or meet opposite it.
+        const double apart = (frame.sun.ahead > 0.0) == (direction > 0) ? kLast : 0.0;
+        if (beams.front().cell_at(apart) > beams.back().cell_at(apart))
+            std::reverse(beams.begin(), beams.end());
+        return beams;
+    }
+
+    // --- the pass
+
+    // Over all lines that light crosses in one direction.
+    void sweep(const LineFrame& frame, const LineSurface& surface, int direction)
+    {
+        std::vector<Beam> beams = beams_across(frame, direction);
+        if (beams.empty())
+            return;
+        std::vector<double> cells(beams.size());
+        for (std::int32_t i = 0; i <= kLast; ++i) {
+            const std::int32_t line = direction > 0 ? i : kLast - i;
+            if (!(frame.sun_across_lines(line) * direction < 0.0))
+                continue;
+            std::transform(beams.begin(), beams.end(), cells.begin(),
+                           [&](const Beam& beam) { return beam.cell_at(line); });
+            const auto first = std::lower_bound(cells.begin(), cells.end(), -kEdgeSlack) - cells.begin();
+            const auto last =
+                std::upper_bound(cells.begin(), cells.end(), kLast + kEdgeSlack) - cells.begin();
+            const std::span<Beam> over = {beams.data() + first, beams.data() + last};
+            const std::span<const double> at = {cells.data() + first, cells.data() + last};
+            for (Beam& beam : over)
+                come_to(frame, surface, beam, line, direction);
+            answer(frame, surface, over, at, line, direction);
+            for (std::size_t k = 0; k < over.size(); ++k)
+                cross(surface, over[k], line, at[k]);
+        }
+        keep_leaving(beams);
+    }
+
+    // What a beam meets before a line: what it brings with it, and the ground between two samples of neighbouring lines.
+    void come_to(const LineFrame& frame, const LineSurface& surface, Beam& beam, std::int32_t line,
+                 int direction) const
+    {
+        if (beam.rho_m < 0.0)
+            beam.rho_m = entering_rho_m(frame, beam, line, direction);
+        if (line == (direction > 0 ? 0 : kLast))
+            return;
+        const double cell = beam.cell_at(line);
+        const double before = beam.cell_at(line - direction);
+        const double between = std::floor(std::max(cell, before));
+        if (between < std::min(cell, before) || between < 0.0 || between > kLast)
+            return;
+        const double at = (between - beam.cell0) / beam.cells_per_line;
+        const double ahead = (line - at) * direction; // at a sample of the line it is ground of the line
+        const double part = beam.part_at(at);
+        if (ahead > kEdgeSlack && ahead <= 1.0 && at >= 0.0 && at <= kLast && part > 0.0)
+            beam.rho_m =
+                std::max(beam.rho_m, part / surface.across_lines(at, static_cast<std::size_t>(between)));
+    }
+
+    static void cross(const LineSurface& surface, Beam& beam, std::int32_t line, double cell)
+    {
+        const double ground = surface.on_line(static_cast<std::size_t>(line),
+                                              std::clamp(cell, 0.0, static_cast<double>(kLast)));
+        beam.rho_m = std::max(beam.rho_m, beam.part_at(line) / ground);
+    }
+
+    void keep_leaving(const std::vector<Beam>& beams)
+    {
+        const double scale = std::ldexp(1.0, static_cast<int>(beams_.log2));
+        for (const Beam& beam : beams) {
+            if (beam.lends)
+                continue;
+            const std::int64_t i = std::llround(beam.turn * scale) - beams_.first;
+            shadow_.leaving.rho_m[static_cast<std::size_t>(i % beams_.count)] = beam.rho_m;
+        }
+    }
+
+    // --- answers
+
+    void answer(const LineFrame& frame, const LineSurface& surface, std::span<const Beam> beams,
+                std::span<const double> cells, std::int32_t line, int direction)
+    {
+        if ((line == 0 && enters(frame.edge_of_lines(false)))
+            || (line == kLast && enters(frame.edge_of_lines(true))))
+            return;
+        const std::int32_t first = enters(frame.edge_of_cells(false)) ? 1 : 0;
+        const std::int32_t last = enters(frame.edge_of_cells(true)) ? kLast - 1 : kLast;
+        const auto l = static_cast<std::size_t>(line);
+        std::size_t right = 0;
+        for (std::int32_t cell = first; cell <= last; ++cell) {
+            if (!is_across_lines(frame, line, cell))
+                continue;
+            const auto c = static_cast<std::size_t>(cell);
+            while (right < cells.size() && cells[right] <= cell)
+                ++right;
+            const bool between = right > 0 && right < cells.size();
+            const double roof = between ? roof_between(beams, cells, right, line, cell)
+                                        : roof_of_own_beam(frame, surface, line, cell, direction);
+            const float height_m = surface.shadow_height_m(l, c, roof);
+            (frame.lines == LinesAlong::u ? shadow_.heights_m(l, c) : shadow_.heights_m(c, l)) = height_m;
+        }
+    }
+
+    static double roof_between(std::span<const Beam> beams, std::span<const double> cells, std::size_t right,
+                               std::int32_t line, std::int32_t cell)
+    {
+        const double low = beams[right - 1].rho_m / beams[right - 1].part_at(line);
+        const double high = beams[right].rho_m / beams[right].part_at(line);
+        return low + (cell - cells[right - 1]) / (cells[right] - cells[right - 1]) * (high - low);
+    }
+
+    // A beam through the sample itself, from where it enters the tile.
+    double roof_of_own_beam(const LineFrame& frame, const LineSurface& surface, std::int32_t line,
+                            std::int32_t cell, int direction) const
+    {
+        const FacePlace place = frame.place(line, cell);
+        const Vector3 sample = direction_of(tile_.face, place);
+        const double turn = turn_of(axis_, sample);
+        Beam beam(frame, tile_, outward_at(axis_, turn), turn);
+        const auto is_over = [&](std::int32_t at) {
+            const double c = beam.cell_at(at);
+            return at >= 0 && at <= kLast && frame.sun_across_lines(at) * direction < 0.0 && c >= -kEdgeSlack
+                   && c <= kLast + kEdgeSlack;
+        };
+        std::int32_t first = line;
+        while (is_over(first - direction))
+            first -= direction;
+        for (std::int32_t at = first; at != line; at += direction) {
+            come_to(frame, surface, beam, at, direction);
+            cross(surface, beam, at, beam.cell_at(at));
+        }
+        come_to(frame, surface, beam, line, direction);
+        return beam.rho_m / beam.part_at(line);
+    }
+
+    // --- light that enters
+
+    // What a beam has met before `line`, the first that it crosses.
+    double entering_rho_m(const LineFrame& frame, const Beam& beam, std::int32_t line, int direction) const
+    {
+        if (line == (direction > 0 ? 0 : kLast))
+            return rho_over_edge_m(frame.edge_of_lines(direction < 0), beam,
+                                   frame.place(line, std::clamp(beam.cell_at(line), 0.0, 1.0 * kLast)));
+        // Between this line and the one before, or the axis if that is nearer.
+        double before = line - direction;
+        if (!(frame.sun_across_lines(before) * direction < 0.0))
+            before = (frame.sun.y / frame.sun.ahead - frame.first_y) / frame.step;
+        const double cell_before = beam.cell_at(before);
+        if (cell_before >= -kEdgeSlack && cell_before <= kLast + kEdgeSlack)
+            return 0.0; // begins in the tile, under the sun
+        const bool highest = cell_before > kLast;
+        const double edge_cell = highest ? kLast : 0.0;
+        const double edge_line = std::clamp((edge_cell - beam.cell0) / beam.cells_per_line, 0.0, 1.0 * kLast);
+        return rho_over_edge_m(frame.edge_of_cells(highest), beam, frame.place(edge_line, edge_cell));
+    }
+
+    double rho_over_edge_m(TileEdge edge, const Beam& beam, FacePlace place) const
+    {
+        if (const TileShadow* const neighbour = neighbour_across(edge))
+            return neighbour->leaving.rho_at(beam.turn);
+        const Vector3 direction = direction_of(tile_.face, place);
+        const double sine = dot(direction, beam.outward);
+        if (entering_.ancestor != nullptr)
+            return (base_radius_m(globe_, direction) + ancestor_height_m(place)) * sine;
+        if (dot(direction, axis_.to_sun) > 0.0)
+            return 0.0;
+        return LightSection(globe_, axis_.to_sun, beam.outward).greatest_rho_m();
+    }
+
+    double ancestor_height_m(FacePlace place) const
+    {
+        const FacePlace first = sample_place(entering_.ancestor_tile, 0, 0);
+        const double step =
+            2.0 / static_cast<double>(std::uint64_t{kTileSquares} << entering_.ancestor_tile.level);
+        const double row = std::clamp((place.v - first.v) / step, 0.0, 1.0 * kLast);
+        const double column = std::clamp((place.u - first.u) / step, 0.0, 1.0 * kLast);
+        const auto r = std::min(static_cast<std::size_t>(row), kSamples - 2);
+        const auto c = std::min(static_cast<std::size_t>(column), kSamples - 2);
+        const Grid<float>& heights_m = entering_.ancestor->heights_m;
+        const auto at = [&](std::size_t i, std::size_t k) { return static_cast<double>(heights_m(i, k)); };
+        const double down = row - static_cast<double>(r);
+        const double right = column - static_cast<double>(c);
+        return (1.0 - down) * ((1.0 - right) * at(r, c) + right * at(r, c + 1))
+               + down * ((1.0 - right) * at(r + 1, c) + right * at(r + 1, c + 1));
+    }
+
+    void copy_edge(TileEdge edge)
+    {
+        const TileShadow* const shadow = neighbour_across(edge);
+        const TileNeighbour neighbour = neighbour_of(tile_, edge);
+        for (std::size_t i = 0; i < kSamples; ++i) {
+            const SampleIndex own = sample_on(edge, i);
+            const SampleIndex other = sample_on(neighbour.edge, neighbour.reversed ? kTileSquares - i : i);
+            shadow_.heights_m(own.row, own.column) = shadow != nullptr
+                                                         ? shadow->heights_m(other.row, other.column)
+                                                         : height_without_neighbour_m(own);
+        }
+    }
+
+    float height_without_neighbour_m(SampleIndex sample) const
+    {
+        const FacePlace place =
+            sample_place(tile_, static_cast<double>(sample.row), static_cast<double>(sample.column));
+        if (entering_.ancestor != nullptr)
+            return static_cast<float>(ancestor_height_m(place));
+        const Vector3 direction = direction_of(tile_.face, place);
+        if (dot(direction, axis_.to_sun) > 0.0)
+            return static_cast<float>(-globe_.equatorial_radius_m);
+        const Vector3 away = direction - axis_.to_sun * dot(direction, axis_.to_sun);
+        const double sine = std::max(length(away), 1e-9);
+        const double rho_m = LightSection(globe_, axis_.to_sun, away * (1.0 / sine)).greatest_rho_m();
+        return std::min(static_cast<float>(rho_m / sine - base_radius_m(globe_, direction)), kDeepNight_m);
+    }
+
+    const Globe& globe_;
+    const LightAxis& axis_;
+    const PlanetTile& tile_;
+    const TileHeights& heights_;
+    const EnteringLight& entering_;
+    std::array<bool, 4> enters_ = {};
+    BeamRange beams_ = {};
+    TileShadow shadow_;
+};
+
+} // namespace
+
+double LeavingFront::rho_at(double turn) const
+{
+    if (rho_m.empty())
+        return 0.0;
+    const auto count = static_cast<std::int64_t>(rho_m.size());
+    const double beams = std::ldexp(1.0, static_cast<int>(beams_log2));
+    double at = std::ldexp(turn, static_cast<int>(beams_log2)) - static_cast<double>(first);
+    at -= std::floor(at / beams) * beams;
+    if (at > (beams + static_cast<double>(count)) / 2.0 && static_cast<double>(count) < beams)
+        at -= beams; // nearer to the first than to the last
+    const auto low = static_cast<std::int64_t>(std::floor(at));
+    const auto passed = [&](std::int64_t i) {
+        const std::int64_t k = static_cast<double>(count) == beams ? (i + count) % count : i;
+        return k >= 0 && k < count && rho_m[static_cast<std::size_t>(k)] >= 0.0
+                   ? std::optional(rho_m[static_cast<std::size_t>(k)])
+                   : std::nullopt;
+    };
+    const double share = at - static_cast<double>(low);
+    const std::optional<double> left = passed(low);
+    const std::optional<double> right = share > 0.0 ? passed(low + 1) : left;
+    if (left && right)
+        return *left + share * (*right - *left);
+    // Roundings at corners of the tile.
+    for (std::int64_t off = 0; off <= 2; ++off)
+        for (const std::int64_t i : {low - off, low + 1 + off})
+            if (const std::optional<double> rho = passed(i))
+                return *rho;
+    return 0.0;
+}
+
+bool light_enters(const LightAxis& axis, const PlanetTile& tile, TileEdge edge)
+{
+    const FaceVector sun = on_face(axis.to_sun, tile.face, is_of_u(edge) ? LinesAlong::u : LinesAlong::v);
+    const FacePlace place =
+        is_highest(edge) ? sample_place(tile, kTileSquares, kTileSquares) : sample_place(tile, 0, 0);
+    const double towards = towards_greater_x(sun, is_of_u(edge) ? place.u : place.v);
+    if (towards != 0.0)
+        return is_highest(edge) == (towards > 0.0);
+    // Along the edge: a choice that both tiles make alike.
+    const std::uint32_t other = neighbour_of(tile, edge).tile.face;
+    return other == tile.face ? is_highest(edge) : other < tile.face;
+}
+
+namespace {
+
+// How late light comes to a column (or row) of tiles of a face: it crosses from lower numbers to higher. The edges that have the
+// sun on their side of greater x are the first ones of a face that looks towards the sun, and the last ones of another.
+std::int64_t steps_from_sun(const FaceVector& sun, std::uint32_t level, std::uint32_t index)
+{
+    const std::int64_t tiles = std::int64_t{1} << level;
+    const auto is_beyond = [&](std::int64_t edge) {
+        return towards_greater_x(sun, static_cast<double>(2 * edge) / static_cast<double>(tiles) - 1.0)
+               >= 0.0;
+    };
+    const bool day = sun.ahead >= 0.0;
+    std::int64_t first = 0; // after the search, the first edge that is not as edges before the sun's column
+    std::int64_t last = tiles + 1;
+    while (first < last) {
+        const std::int64_t middle = (first + last) / 2;
+        if (is_beyond(middle) == day)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    const std::int64_t steps = std::abs(static_cast<std::int64_t>(index) - (first - 1));
+    return day ? steps : -steps;
+}
+
+} // namespace
+
+LightRank light_rank(const LightAxis& axis, const PlanetTile& tile)
+{
+    const FaceVector sun = on_face(axis.to_sun, tile.face, LinesAlong::u);
+    const FaceVector by_columns = on_face(axis.to_sun, tile.face, LinesAlong::v);
+    return {tile.level, -sun.ahead, tile.face,
+            steps_from_sun(sun, tile.level, tile.column) + steps_from_sun(by_columns, tile.level, tile.row),
+            tile};
+}
+
+TileShadow cast_on_tile(const Globe& globe, const LightAxis& axis, const PlanetTile& tile,
+                        const TileHeights& heights, const EnteringLight& entering)
+{
+    return TileCast(globe, axis, tile, heights, entering).run();
+}
+
+} // namespace duskline

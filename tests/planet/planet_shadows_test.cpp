@@ -1,0 +1,258 @@
+#include "planet/made_ground.h"
+#include "terrains.h"
+
+#include <duskline/planet/planet_shadows.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace duskline {
+namespace {
+
+std::vector<PlanetTile> tiles_of_level(std::uint32_t level)
+{
+    std::vector<PlanetTile> tiles;
+    for (std::uint32_t face = 0; face < kCubeFaces; ++face)
+        for (std::uint32_t row = 0; row < 1U << level; ++row)
+            for (std::uint32_t column = 0; column < 1U << level; ++column)
+                tiles.push_back({face, level, row, column});
+    return tiles;
+}
+
+// Mountains on the earth, made once.
+const MadeGround& mountains()
+{
+    static const MadeGround ground(kWgs84, kMountains, mountains_m);
+    return ground;
+}
+
+void insert(PlanetShadows& shadows, const std::vector<PlanetTile>& tiles)
+{
+    for (const PlanetTile& tile : tiles)
+        shadows.insert(tile, mountains().shared_heights_of(tile));
+}
+
+bool is_lit(const PlanetShadows& shadows, const PlanetTile& tile, std::int32_t row, std::int32_t column)
+{
+    return mountains().heights_of(tile).height_m(row, column) >= shadows.shadow_of(tile)->heights_m(
+               static_cast<std::size_t>(row), static_cast<std::size_t>(column));
+}
+
+bool is_lit(const PlanetRays& rays, const PlanetTile& tile, std::int32_t row, std::int32_t column)
+{
+    return rays.is_lit(sample_direction(tile, row, column),
+                       static_cast<double>(mountains().heights_of(tile).height_m(row, column)));
+}
+
+// Whether one of the eight samples around has the other answer.
+bool is_beside_edge(const PlanetRays& rays, const PlanetTile& tile, std::int32_t row, std::int32_t column)
+{
+    const bool lit = is_lit(rays, tile, row, column);
+    for (std::int32_t r = row - 1; r <= row + 1; ++r)
+        for (std::int32_t c = column - 1; c <= column + 1; ++c)
+            if (is_lit(rays, tile, r, c) != lit)
+                return true;
+    return false;
+}
+
+struct Share {
+    std::size_t samples = 0;
+    std::size_t wrong = 0;
+
+    double value() const { return static_cast<double>(wrong) / static_cast<double>(samples); }
+};
+
+TEST(PlanetShadows, AreThoseOfRaysButForSamplesBesideShadowEdgesInsideTilesAndOnTheirBorders)
+{
+    Share inside;
+    Share border;
+    for (const Vector3& sun : {Vector3{1.0, 0.0, 0.0}, Vector3{1.0, 1.0, 1.0}, Vector3{-0.25, -0.64, 0.72},
+                               Vector3{0.1, 0.8, -0.3}}) {
+        PlanetShadows shadows(kWgs84, sun);
+        insert(shadows, tiles_of_level(1));
+        shadows.settle();
+        const PlanetRays rays(mountains().at_level(1), sun);
+        const Vector3 to_sun = normalized(sun);
+        for (const PlanetTile& tile : tiles_of_level(1))
+            for (std::int32_t row = 0; row <= kTileSquares; ++row)
+                for (std::int32_t column = 0; column <= kTileSquares; ++column) {
+                    const bool on_border =
+                        row == 0 || column == 0 || row == kTileSquares || column == kTileSquares;
+                    const double cosine = dot(sample_direction(tile, row, column), to_sun);
+                    // For the first sun the terminator itself, where shadows are longest, is a border of tiles.
+                    if ((row * 7 + column) % (on_border ? 5 : 13) != 0 || cosine > 0.6 || cosine < -0.15
+                        || std::abs(cosine) < 1e-9)
+                        continue;
+                    Share& share = on_border ? border : inside;
+                    ++share.samples;
+                    if (is_lit(shadows, tile, row, column) == is_lit(rays, tile, row, column))
+                        continue;
+                    ++share.wrong;
+                    EXPECT_TRUE(is_beside_edge(rays, tile, row, column))
+                        << "face " << tile.face << " row " << row << " column " << column;
+                }
+    }
+    ASSERT_GT(inside.samples, 20000U);
+    ASSERT_GT(border.samples, 3000U);
+    EXPECT_LT(inside.value(), 0.0005);
+    EXPECT_LE(border.value(), inside.value());
+}
+
+TEST(PlanetShadows, OfTilesOfALevelAreTheSameBitsOnSharedEdges)
+{
+    for (const Vector3& sun : {Vector3{0.0, 0.0, 1.0}, Vector3{1.0, -1.0, 0.0}, Vector3{0.4, 0.2, 0.7}}) {
+        PlanetShadows shadows(kWgs84, sun);
+        insert(shadows, tiles_of_level(1));
+        shadows.settle();
+        for (const PlanetTile& tile : tiles_of_level(1))
+            for (const TileEdge edge : kTileEdges) {
+                const TileNeighbour neighbour = neighbour_of(tile, edge);
+                const auto sample = [](const PlanetShadows& all, const PlanetTile& of, TileEdge on,
+                                       std::size_t i) {
+                    const bool high = on == TileEdge::highest_u || on == TileEdge::highest_v;
+                    const bool of_u = on == TileEdge::lowest_u || on == TileEdge::highest_u;
+                    const std::size_t across = high ? kTileSquares : 0;
+                    const auto shadow = all.shadow_of(of);
+                    return of_u ? shadow->heights_m(i, across) : shadow->heights_m(across, i);
+                };
+                for (std::size_t i = 0; i <= kTileSquares; ++i)
+                    ASSERT_EQ(sample(shadows, tile, edge, i),
+                              sample(shadows, neighbour.tile, neighbour.edge,
+                                     neighbour.reversed ? kTileSquares - i : i));
+            }
+    }
+}
+
+// Levels 0 and 1 all over, and deeper tiles around one place: as a camera has them.
+std::vector<PlanetTile> tiles_around(const Vector3& place, std::uint32_t deepest)
+{
+    std::vector<PlanetTile> tiles = tiles_of_level(0);
+    const std::vector<PlanetTile> first = tiles_of_level(1);
+    tiles.insert(tiles.end(), first.begin(), first.end());
+    for (std::uint32_t level = 2; level <= deepest; ++level)
+        for (const PlanetTile& tile : children_of(place_in_tile(place, level - 1).tile))
+            tiles.push_back(tile);
+    return tiles;
+}
+
+const Vector3 kPlace = normalized({0.7, 0.5, 0.2});
+const Vector3 kLowSun = {-0.35, 0.75, 0.2};
+
+TEST(PlanetShadows, OfFineTilesAmongCoarseOnesAreNearThoseOfRaysOverFineGround)
+{
+    PlanetShadows shadows(kWgs84, kLowSun);
+    insert(shadows, tiles_around(kPlace, 4));
+    shadows.settle();
+    const PlanetRays rays(mountains().at_level(4), kLowSun);
+    Share share;
+    for (const PlanetTile& tile : children_of(place_in_tile(kPlace, 3).tile))
+        for (std::int32_t row = 3; row <= kTileSquares; row += 9)
+            for (std::int32_t column = 0; column <= kTileSquares; column += 9) {
+                ++share.samples;
+                share.wrong +=
+                    is_lit(shadows, tile, row, column) != is_lit(rays, tile, row, column) ? 1U : 0U;
+            }
+    EXPECT_LT(share.value(), 0.03);
+}
+
+bool same_shadows(const PlanetShadows& a, const PlanetShadows& b, const std::vector<PlanetTile>& tiles)
+{
+    return std::all_of(tiles.begin(), tiles.end(), [&](const PlanetTile& tile) {
+        const auto x = a.shadow_of(tile)->heights_m.values();
+        const auto y = b.shadow_of(tile)->heights_m.values();
+        return std::equal(x.begin(), x.end(), y.begin());
+    });
+}
+
+TEST(PlanetShadows, SettleToTheSameBitsWhateverHappenedBefore)
+{
+    const std::vector<PlanetTile> tiles = tiles_around(kPlace, 3);
+    PlanetShadows expected(kWgs84, kLowSun);
+    insert(expected, tiles);
+    expected.settle({.threads = 1});
+    for_seeds(3, [&](Dice& dice) {
+        PlanetShadows shadows(kWgs84, {1.0, 0.0, 0.0});
+        std::vector<PlanetTile> order = tiles;
+        for (std::size_t i = order.size(); i > 1; --i)
+            std::swap(order[i - 1], order[dice.below(i)]);
+        const PlanetTile passing = {2, 2, 1, 1};
+        shadows.insert(passing, mountains().shared_heights_of(passing));
+        for (const PlanetTile& tile : order) {
+            shadows.insert(tile, mountains().shared_heights_of(tile));
+            if (dice.chance(0.3))
+                shadows.set_sun({dice.between(-1.0, 1.0), 0.7, 0.1});
+            shadows.update(dice.below(4));
+        }
+        const PlanetTile again = order[dice.below(order.size())];
+        shadows.erase(again);
+        shadows.update(3);
+        shadows.insert(again, mountains().shared_heights_of(again));
+        shadows.erase(passing);
+        shadows.set_sun(kLowSun);
+        shadows.settle();
+        EXPECT_TRUE(shadows.settled());
+        EXPECT_EQ(shadows.shadow_of(passing), nullptr);
+        EXPECT_TRUE(same_shadows(shadows, expected, tiles));
+    });
+}
+
+TEST(PlanetShadows, ShowANewSunOnlyWhenAllTilesHaveIt)
+{
+    const std::vector<PlanetTile> tiles = tiles_of_level(1);
+    PlanetShadows shadows(kWgs84, kLowSun);
+    insert(shadows, tiles);
+    shadows.settle();
+    PlanetShadows old(kWgs84, kLowSun);
+    insert(old, tiles);
+    old.settle();
+    const Vector3 next = {-0.36, 0.74, 0.2};
+    shadows.set_sun(next);
+    std::size_t done = 0;
+    while (true) {
+        EXPECT_TRUE(same_shadows(shadows, old, tiles)) << "after " << done;
+        const std::size_t now = shadows.update(5);
+        EXPECT_LE(now, 5U);
+        ASSERT_GT(now, 0U);
+        done += now;
+        if (shadows.settled())
+            break;
+    }
+    EXPECT_EQ(done, tiles.size());
+    EXPECT_FALSE(same_shadows(shadows, old, tiles));
+    PlanetShadows expected(kWgs84, next);
+    insert(expected, tiles);
+    expected.settle();
+    EXPECT_TRUE(same_shadows(shadows, expected, tiles));
+    EXPECT_EQ(shadows.update(5), 0U);
+}
+
+TEST(PlanetShadows, AnswerTilesThatComeWhileTheSunMovesOn)
+{
+    PlanetShadows shadows(kWgs84, kLowSun);
+    insert(shadows, tiles_of_level(1));
+    shadows.settle();
+    double x = -0.35;
+    for (const PlanetTile& tile : children_of(place_in_tile(kPlace, 1).tile)) {
+        shadows.insert(tile, mountains().shared_heights_of(tile));
+        shadows.set_sun({x += 0.001, 0.75, 0.2});
+        shadows.update(4);
+        EXPECT_NE(shadows.shadow_of(tile), nullptr);
+    }
+}
+
+TEST(PlanetShadows, StopWhenTheyAreAskedTo)
+{
+    PlanetShadows shadows(kWgs84, kLowSun);
+    insert(shadows, tiles_of_level(1));
+    EXPECT_THROW(shadows.settle({.progress = [](double) { return false; }}), Cancelled);
+    EXPECT_FALSE(shadows.settled());
+    shadows.settle();
+    EXPECT_TRUE(shadows.settled());
+}
+
+} // namespace
+} // namespace duskline
