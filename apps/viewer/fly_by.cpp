@@ -24,8 +24,9 @@
 namespace duskline::viewer {
 namespace {
 
-constexpr std::size_t kCompared = 8; // frames of a flight whose masks are compared with the truth
-constexpr std::size_t kTrials = 3;   // of a flight that may take no longer than so much
+constexpr std::size_t kCompared = 8;      // frames of a flight whose masks are compared with the truth
+constexpr std::size_t kTrials = 3;        // of a flight that may take no longer than so much
+constexpr double kFramesPerSecond = 25.0; // of animations
 constexpr double kClearanceOverCells = 1.0;
 
 // One flight with one technique.
@@ -37,6 +38,7 @@ struct Flight {
 struct FlightFigures {
     std::vector<double> frame_ms;
     double cast_ms = 0.0; ///< sum over the frames
+    double ground_ms = 0.0;
     double draw_ms = 0.0; ///< the rest of them
     double triangles = 0.0;
     MaskDifference difference;        ///< of all frames compared
@@ -76,7 +78,7 @@ std::vector<Flight> flights(const ViewerOptions& options, const ViewerState& sta
 
 class FlyBy {
 public:
-    FlyBy(const ViewerOptions& options, const ViewedTerrain& viewed, const SunClock& clock,
+    FlyBy(const ViewerOptions& options, ViewedTerrain& viewed, const SunClock& clock,
           const gl::ShaderSources& sources)
         : options_(options), first_(first_state(options, viewed, clock)), scene_(viewed, clock, sources),
           target_(options.width, options.height),
@@ -128,13 +130,17 @@ private:
     {
         const auto frames = static_cast<double>(*options_.flyby_frames);
         ViewerState state = first_;
-        const double cell_m = std::max(scene_.field().cell_size_m.x, scene_.field().cell_size_m.y);
-        state.camera = kept_above_ground(pose_at(path_, static_cast<double>(frame) / (frames - 1.0)),
-                                         scene_.field(), kClearanceOverCells * cell_m);
+        state.camera = pose_at(path_, static_cast<double>(frame) / (frames - 1.0));
         state.technique = flight.technique;
         if (!flight.still)
             state.light.azimuth_deg += 360.0 * static_cast<double>(frame) / frames;
+        state.animation_s += state.animation_speed * static_cast<double>(frame) / kFramesPerSecond;
         return state;
+    }
+
+    double clearance_m() const
+    {
+        return kClearanceOverCells * std::max(scene_.field().cell_size_m.x, scene_.field().cell_size_m.y);
     }
 
     // Shaders are compiled and textures made before anything is timed.
@@ -150,7 +156,7 @@ private:
 
     void fly_frame(const Flight& flight, std::size_t frame, FlightFigures& figures)
     {
-        const ViewerState state = state_at(flight, frame);
+        ViewerState state = state_at(flight, frame);
         FrameCost cast;
         FrameCost drawn;
         double seconds = 0.0;
@@ -158,10 +164,12 @@ private:
             const cli::Stopwatch watch(seconds);
             target_.begin();
             cast = scene_.cast(state, true);
+            state.camera = kept_above_ground(state.camera, scene_.field(), clearance_m()); // of this frame
             drawn = scene_.draw(state, options_.width, options_.height, true);
         }
         figures.cast_ms += cast.cast_ms;
-        figures.draw_ms += 1000.0 * seconds - cast.cast_ms;
+        figures.ground_ms += cast.ground_ms;
+        figures.draw_ms += 1000.0 * seconds - cast.cast_ms - cast.ground_ms;
         figures.triangles += static_cast<double>(drawn.mesh.triangles);
         figures.frame_ms.push_back(1000.0 * seconds);
     }
@@ -206,6 +214,7 @@ nlohmann::ordered_json as_json(const Flight& flight, const FlightFigures& figure
         {"frames", figures.frame_ms.size()},
         {"fps", {{"least", rates.least}, {"most", rates.most}, {"mean", rates.mean}}},
         {"mean_cast_ms", figures.cast_ms / frames},
+        {"mean_ground_ms", figures.ground_ms / frames},
         {"mean_draw_ms", figures.draw_ms / frames},
         {"mean_triangles", figures.triangles / frames},
         {"wrong_share", static_cast<double>(figures.difference.differing) / cells},
@@ -256,7 +265,7 @@ void fly_by(const ViewerOptions& options, cli::Report& report)
     require_places(options);
     const gl::HeadlessContext context;
     const gl::ContextInfo info = gl::current_context();
-    const ViewedTerrain viewed = read_viewed_terrain(options, report);
+    ViewedTerrain viewed = read_viewed_terrain(options, report);
     const SunClock clock(cli::light_site(viewed.file.ground()), options.light.sun,
                          options.light.sun_size_deg);
     const gl::ShaderSources sources;
@@ -265,16 +274,16 @@ void fly_by(const ViewerOptions& options, cli::Report& report)
     report.field("renderer", info.renderer);
     report.field("opengl", info.version);
     report.field("terrain", options.input.path);
-    report.field("rows", viewed.terrain.heights_m.rows());
-    report.field("columns", viewed.terrain.heights_m.columns());
+    const HeightField field = viewed.ground->terrain();
+    report.field("rows", field.rows());
+    report.field("columns", field.columns());
     report.field("width", options.width);
     report.field("height", options.height);
     report.field("frames", *options.flyby_frames);
     if (options.at_most_s)
         report.field("at_most_s", *options.at_most_s);
     report.field("altitude_deg", fly_by.first().light.altitude_deg);
-    report.line(fmt::format("{} x {} cells, {} x {} pixels, {} frames, {}",
-                            viewed.terrain.heights_m.columns(), viewed.terrain.heights_m.rows(),
+    report.line(fmt::format("{} x {} cells, {} x {} pixels, {} frames, {}", field.columns(), field.rows(),
                             options.width, options.height, *options.flyby_frames, info.renderer));
     report.line(fmt::format("{:<22} {:>6} {:>9} {:>9} {:>9} {:>10} {:>10} {:>13}", "technique", "frames",
                             "least fps", "most fps", "mean fps", "cast, ms", "draw, ms", "cells wrong"));

@@ -128,10 +128,31 @@ void draw_brush(Brush& brush)
     text("Hold Ctrl and drag over the ground");
 }
 
+void draw_motion(ViewerState& state)
+{
+    const auto entry = [&](std::string_view name, std::string_view description) {
+        if (ImGui::Selectable(std::string(name).c_str(), name == state.animation)) {
+            state.animation = name;
+            state.animation_s = 0.0;
+        }
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s", std::string(description).c_str());
+    };
+    if (ImGui::BeginCombo("Animation", state.animation.c_str())) {
+        entry(kNoMotion, "the ground keeps still");
+        for (const GroundMotionKind& kind : ground_motions())
+            entry(kind.name, kind.description);
+        ImGui::EndCombo();
+    }
+    slider("Speed", state.animation_speed, 0.0, 4.0, "%.2f");
+}
+
 void draw_figures(const FrameFigures& figures)
 {
     text(fmt::format("{:7.2f} ms a frame ({:.0f} a second)", figures.frame_ms,
                      1000.0 / std::max(0.01, figures.frame_ms)));
+    if (figures.ground_ms > 0.0)
+        text(fmt::format("{:7.2f} ms for ground that changed", figures.ground_ms));
     text(fmt::format("{:7.2f} ms to find shadows; {:.2f} on the card", figures.cast_ms, figures.cast_gpu_ms));
     text(fmt::format("{:7.2f} ms to draw and look up, on the card", figures.draw_gpu_ms));
     text(fmt::format("{} patches, {} triangles", figures.mesh.patches, figures.mesh.triangles));
@@ -150,6 +171,7 @@ void draw_help(bool& open)
              "Home               the whole terrain\n"
              "Tab                next technique\n"
              "X                  mark what is wrong\n"
+             "M                  let the ground move, the next way\n"
              "Space              let the clock run\n"
              "R                  record a flight, stop\n"
              "F1                 these keys\n"
@@ -181,6 +203,8 @@ void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, c
         draw_look(state);
     if (ImGui::CollapsingHeader("Flight"))
         draw_flight(activity);
+    if (ImGui::CollapsingHeader("Motion"))
+        draw_motion(state);
     if (ImGui::CollapsingHeader("Ground"))
         draw_brush(activity.brush);
     activity.wants_screenshot = ImGui::Button("Screenshot");

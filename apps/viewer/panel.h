@@ -14,6 +14,7 @@ namespace duskline::viewer {
 /// What the last frames cost, smoothed.
 struct FrameFigures {
     double frame_ms = 0.0;
+    double ground_ms = 0.0;
     double cast_ms = 0.0; ///< of the last cast
     double cast_gpu_ms = 0.0;
     double draw_gpu_ms = 0.0;

@@ -28,7 +28,7 @@ void render_picture(const ViewerOptions& options, cli::Report& report)
 {
     require_new(options);
     const gl::HeadlessContext context;
-    const ViewedTerrain viewed = read_viewed_terrain(options, report);
+    ViewedTerrain viewed = read_viewed_terrain(options, report);
     const SunClock clock(cli::light_site(viewed.file.ground()), options.light.sun,
                          options.light.sun_size_deg);
     const ViewerState state = first_state(options, viewed, clock);

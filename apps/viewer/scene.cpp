@@ -3,10 +3,12 @@
 #include "exit_code.h"
 #include "stopwatch.h"
 
+#include <duskline/gl/context.h>
 #include <duskline/products/daylight.h>
 #include <duskline/products/relief.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace duskline::viewer {
 namespace {
@@ -31,9 +33,9 @@ float usual_exaggeration(const HeightField& field)
 
 } // namespace
 
-Scene::Scene(const ViewedTerrain& viewed, const SunClock& clock, const gl::ShaderSources& sources)
-    : viewed_(viewed), clock_(clock), sources_(sources), field_(viewed.terrain),
-      textures_(field_, viewed.ground.view()), renderer_(sources, textures_)
+Scene::Scene(ViewedTerrain& viewed, const SunClock& clock, const gl::ShaderSources& sources)
+    : viewed_(viewed), clock_(clock), sources_(sources), field_(viewed.ground->terrain()),
+      textures_(field_, viewed.ground->colours().view()), renderer_(sources, textures_)
 {}
 
 void Scene::choose_technique(const ViewerState& state)
@@ -63,22 +65,70 @@ std::optional<double> time_pass(PassTimer& timer, bool wait, const Work& work)
 
 } // namespace
 
+namespace {
+
+bool has_cells(const CellRectangle& rectangle)
+{
+    return rectangle.rows > 0 && rectangle.columns > 0;
+}
+
+template <typename Work>
+double milliseconds(const Work& work)
+{
+    double seconds = 0.0;
+    {
+        const cli::Stopwatch watch(seconds);
+        work();
+    }
+    return 1000.0 * seconds;
+}
+
+} // namespace
+
 FrameCost Scene::cast(const ViewerState& state, bool wait)
 {
-    FrameCost cost;
+    CellRectangle changed;
+    const double ground_ms = milliseconds([&] {
+        changed =
+            united(std::exchange(edited_, {}), viewed_.ground->move_to(state.animation, state.animation_s));
+        if (has_cells(changed))
+            upload_ground(changed);
+        if (wait)
+            gl::wait_until_done();
+    });
     choose_technique(state);
-    const DirectionalLight light = clock_.on_grid(state.light);
-    if (!cast_light_ || !same(*cast_light_, light)) {
-        double seconds = 0.0;
-        {
-            const cli::Stopwatch watch(seconds);
-            cost.cast_gpu_ms = time_pass(cast_timer_, wait, [&] { technique_->cast(light); });
-        }
-        cost.cast_ms = 1000.0 * seconds;
-        cast_light_ = light;
-    }
+    FrameCost cost = cast_changes(changed, clock_.on_grid(state.light), wait);
+    cost.ground_ms = has_cells(changed) ? ground_ms : 0.0;
     if (state.difference)
         true_mask();
+    return cost;
+}
+
+void Scene::upload_ground(const CellRectangle& changed)
+{
+    textures_.heights_changed(changed);
+    textures_.colours_changed(viewed_.ground->colours().view(), viewed_.ground->repainted(changed));
+    renderer_.heights_changed(changed);
+    not_in_truth_ = united(not_in_truth_, changed);
+}
+
+// A technique that has cast is told of changes even where the light has moved as well, and casts again.
+FrameCost Scene::cast_changes(const CellRectangle& changed, const DirectionalLight& light, bool wait)
+{
+    FrameCost cost;
+    const bool ground_changed = has_cells(changed);
+    const bool light_changed = !cast_light_ || !same(*cast_light_, light);
+    if (!ground_changed && !light_changed)
+        return cost;
+    cost.cast_ms = milliseconds([&] {
+        cost.cast_gpu_ms = time_pass(cast_timer_, wait, [&] {
+            if (ground_changed && cast_light_)
+                technique_->heights_changed(changed);
+            if (light_changed)
+                technique_->cast(light);
+        });
+    });
+    cast_light_ = light;
     return cost;
 }
 
@@ -93,20 +143,18 @@ FrameCost Scene::draw(const ViewerState& state, std::size_t width, std::size_t h
     return cost;
 }
 
-void Scene::heights_changed(const CellRectangle& rectangle)
+void Scene::stroke(const GridPoint& at, const Brush& brush)
 {
-    textures_.heights_changed(rectangle);
-    renderer_.heights_changed(rectangle);
-    if (technique_)
-        technique_->heights_changed(rectangle);
-    if (truth_)
-        truth_->heights_changed(rectangle);
+    edited_ = united(edited_, viewed_.ground->stroke(at, brush));
 }
 
 const ShadowMask& Scene::true_mask()
 {
     if (!truth_)
         truth_ = std::make_unique<gl::ExactUpload>(textures_);
+    else if (has_cells(not_in_truth_))
+        truth_->heights_changed(not_in_truth_);
+    not_in_truth_ = {};
     if (!true_light_ || !same(*true_light_, *cast_light_)) {
         truth_->cast(*cast_light_);
         true_light_ = cast_light_;
@@ -147,7 +195,7 @@ void take_light(const cli::LightOptions& options, ViewerLight& light)
 
 ViewerState first_state(const ViewerOptions& options, const ViewedTerrain& viewed, const SunClock& clock)
 {
-    const HeightField field = viewed.terrain;
+    const HeightField field = viewed.ground->terrain();
     ViewerState state;
     state.camera = overview(field, static_cast<double>(options.width) / static_cast<double>(options.height));
     state.ambient = viewed.ambient;
@@ -159,6 +207,10 @@ ViewerState first_state(const ViewerOptions& options, const ViewedTerrain& viewe
         state.ambient = static_cast<float>(*options.picture.ambient);
     if (!options.technique.empty() && options.technique != "all")
         state.technique = options.technique;
+    if (!options.animation.empty())
+        state.animation = options.animation;
+    state.animation_s = options.animation_s.value_or(state.animation_s);
+    state.animation_speed = options.animation_speed.value_or(state.animation_speed);
     state.soft = state.soft || options.soft;
     state.difference = state.difference || options.difference;
     clock.bring_up_to_date(state.light);

@@ -18,7 +18,8 @@ namespace duskline::viewer {
 /// What a frame cost: by the wall clock, and the graphics card's own time of its passes, that of the frame before unless
 /// the work was waited for.
 struct FrameCost {
-    double cast_ms = 0.0; ///< finding shadows; 0 when they were there
+    double ground_ms = 0.0; ///< heights, colours and mesh of ground that has changed; 0 when it has not
+    double cast_ms = 0.0;   ///< finding shadows; 0 when they were there
     std::optional<double> cast_gpu_ms;
     std::optional<double> draw_gpu_ms;
     gl::DrawnMesh mesh;
@@ -34,17 +35,18 @@ struct PassTimer {
 class Scene {
 public:
     /// All three must outlive it.
-    Scene(const ViewedTerrain& viewed, const SunClock& clock, const gl::ShaderSources& sources);
+    Scene(ViewedTerrain& viewed, const SunClock& clock, const gl::ShaderSources& sources);
 
-    /// Finds the shadows a state asks for, unless they are there already. With `wait` the cost is that of the work
+    /// Brings the ground to where a state has it, and finds the shadows it asks for, unless they are there already: they
+    /// are those of the ground that is drawn next. With `wait` the cost is that of the work
     /// itself, else that of giving it to the card.
     FrameCost cast(const ViewerState& state, bool wait = false);
 
     /// Draws a picture of that size into the current framebuffer.
     FrameCost draw(const ViewerState& state, std::size_t width, std::size_t height, bool wait = false);
 
-    /// To be called when heights have changed in a rectangle; shadows follow at once.
-    void heights_changed(const CellRectangle& rectangle);
+    /// A stroke of a brush at a place in cells; the next cast takes it up.
+    void stroke(const GridPoint& at, const Brush& brush);
 
     /// What the technique says of every cell, and what is true. Waits for the card.
     ShadowMask lit_mask() { return renderer_.lit_mask(technique_->shadow()); }
@@ -62,7 +64,10 @@ private:
     void choose_technique(const ViewerState& state);
     gl::TerrainLight light_of(const ViewerState& state) const;
 
-    const ViewedTerrain& viewed_;
+    FrameCost cast_changes(const CellRectangle& changed, const DirectionalLight& light, bool wait);
+    void upload_ground(const CellRectangle& changed);
+
+    ViewedTerrain& viewed_;
     const SunClock& clock_;
     const gl::ShaderSources& sources_;
     HeightField field_;
@@ -76,6 +81,8 @@ private:
     std::optional<DirectionalLight> cast_light_;
     std::unique_ptr<gl::ExactUpload> truth_; ///< made when first needed
     std::optional<DirectionalLight> true_light_;
+    CellRectangle edited_; ///< and not yet cast
+    CellRectangle not_in_truth_;
 };
 
 /// A state to begin with: the whole terrain under the light of the options.

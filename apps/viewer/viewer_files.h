@@ -1,19 +1,19 @@
 #pragma once
 
+#include "changing_ground.h"
 #include "report.h"
 #include "viewer_options.h"
 
-#include <duskline/products/colour.h>
 #include <duskline/raster_io/read_height_field.h>
-#include <duskline/terrain/height_field.h>
+
+#include <memory>
 
 namespace duskline::viewer {
 
 /// A terrain as it is looked at.
 struct ViewedTerrain {
     HeightFile file;
-    Terrain terrain; ///< lowered for the curvature, so that what is seen is what the shadows are cast on
-    Picture ground;  ///< its own colours
+    std::unique_ptr<ChangingGround> ground;
     float ambient = 0.28f;
     bool air = true;
 };

@@ -1,5 +1,6 @@
 #include "viewer_options.h"
 
+#include "changing_ground.h"
 #include "exit_code.h"
 #include "help_page.h"
 #include "option_values.h"
@@ -37,6 +38,15 @@ std::string technique_list()
     return list;
 }
 
+std::string motion_list()
+{
+    std::string list;
+    for (const GroundMotionKind& kind : ground_motions())
+        list += fmt::format("{}{} ({}, {:.0f} s)", list.empty() ? "" : ", ", kind.name, kind.description,
+                            kind.period_s);
+    return list;
+}
+
 void add_look(CLI::App& app, ViewerOptions& options)
 {
     app.add_option_function<std::string>(
@@ -53,6 +63,24 @@ void add_look(CLI::App& app, ViewerOptions& options)
     app.add_flag("--difference", options.difference,
                  "mark what differs from the exact shadows: red where they are missing, blue where there are "
                  "too many")
+        ->group(kLook);
+    app.add_option("--animate", options.animation,
+                   "how the ground moves, shadows and all: " + motion_list() + "; else it keeps still")
+        ->type_name("NAME")
+        ->group(kLook);
+    cli::add_number(app,
+                    {.names = "--animate-from",
+                     .unit = "S",
+                     .text = "second of --animate to begin with, the one that --render shows",
+                     .range = {-1e9, 1e9}},
+                    options.animation_s)
+        ->group(kLook);
+    cli::add_number(app,
+                    {.names = "--animate-speed",
+                     .unit = "X",
+                     .text = "seconds of --animate in a second, of which --flyby takes 25 frames",
+                     .range = {0.0, 100.0}},
+                    options.animation_speed)
         ->group(kLook);
     app.add_option("--state", options.state,
                    "begin with a state that was saved, a JSON file; other options go before")
@@ -134,6 +162,8 @@ void require_consistent(const ViewerOptions& options)
         throw UsageError("--technique all is for --flyby");
     if (!options.technique.empty() && options.technique != "all")
         gl::shadow_technique_named(options.technique);
+    if (!options.animation.empty())
+        require_motion(options.animation);
     cli::require_palette(options.picture);
 }
 

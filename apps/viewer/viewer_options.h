@@ -24,6 +24,9 @@ struct ViewerOptions {
     std::string technique; ///< empty: of the state; "all" in a fly-by
     bool soft = false;
     bool difference = false;
+    std::string animation; ///< empty: of the state
+    std::optional<double> animation_s;
+    std::optional<double> animation_speed;
     std::string state;  ///< a file to begin with
     std::string flight; ///< a file with the poses of a flight
     std::string render; ///< a picture to write, without a window

@@ -155,6 +155,17 @@ std::string technique_of(const Reader& reader, const std::string& otherwise)
     return name;
 }
 
+std::string animation_of(const Reader& reader, const std::string& otherwise)
+{
+    std::string name = reader.text("animation").value_or(otherwise);
+    try {
+        require_motion(name);
+    } catch (const InvalidInput& error) {
+        reader.fail(error.what());
+    }
+    return name;
+}
+
 } // namespace
 
 ViewerState read_state(const std::string& path, const ViewerState& otherwise)
@@ -169,6 +180,9 @@ ViewerState read_state(const std::string& path, const ViewerState& otherwise)
     state.technique = technique_of(reader, state.technique);
     reader.flag("soft", state.soft);
     reader.flag("difference", state.difference);
+    state.animation = animation_of(reader, state.animation);
+    reader.number("animation_s", state.animation_s, -1e9, 1e9);
+    reader.number("animation_speed", state.animation_speed, 0.0, 100.0);
     reader.number("clock_s_per_s", state.clock_s_per_s, -1e6, 1e6);
     reader.number("ambient", state.ambient, 0.0, 0.99);
     reader.number("exposure", state.exposure, 0.01, 100.0);
@@ -187,6 +201,9 @@ void write_state(const std::string& path, const ViewerState& state)
                       {"technique", state.technique},
                       {"soft", state.soft},
                       {"difference", state.difference},
+                      {"animation", state.animation},
+                      {"animation_s", state.animation_s},
+                      {"animation_speed", state.animation_speed},
                       {"clock_s_per_s", state.clock_s_per_s},
                       {"ambient", state.ambient},
                       {"exposure", state.exposure},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "changing_ground.h"
+
 #include <duskline/light/date_time.h>
 #include <duskline/view/camera_path.h>
 
@@ -22,11 +24,14 @@ struct ViewerState {
     std::string technique = "exact";
     bool soft = false;       ///< edges as wide as the sun's disc makes them, where the technique has them
     bool difference = false; ///< mark what differs from the exact shadows
-    double clock_s_per_s = 600.0; ///< how fast the clock runs
-    float ambient = 0.28f;        ///< 0 to below 1
-    float exposure = 1.0f;        ///< above 0
-    float exaggeration = 1.0f;    ///< of slopes when they are shaded; above 0
-    double pixel_error = 1.5;     ///< of the mesh; above 0
+    std::string animation{kNoMotion}; ///< of the ground
+    double animation_s = 0.0;         ///< its second, and that of whatever else moves by itself
+    double animation_speed = 1.0;     ///< seconds of it in a second
+    double clock_s_per_s = 600.0;     ///< how fast the clock runs
+    float ambient = 0.28f;            ///< 0 to below 1
+    float exposure = 1.0f;            ///< above 0
+    float exaggeration = 1.0f;        ///< of slopes when they are shaded; above 0
+    double pixel_error = 1.5;         ///< of the mesh; above 0
 };
 
 /// Reads a state from a JSON file; what the file does not say stays as in `otherwise`. Throws InputError, with the

@@ -36,12 +36,12 @@ class Sitting {
 public:
     Sitting(const ViewerOptions& options, window::AppWindow& window, ViewedTerrain& viewed,
             const SunClock& clock, const gl::ShaderSources& sources)
-        : window_(window), viewed_(viewed), clock_(clock), scene_(viewed, clock, sources),
+        : window_(window), clock_(clock), scene_(viewed, clock, sources),
           state_(first_state(options, viewed, clock))
     {
         if (!options.flight.empty())
             activity_.flight = read_flight(options.flight);
-        const CellSize cell_m = viewed.terrain.cell_size_m;
+        const CellSize cell_m = scene_.field().cell_size_m;
         activity_.brush.radius_m = 30.0 * std::max(cell_m.x, cell_m.y);
         activity_.brush.amount_m = 0.5 * activity_.brush.radius_m;
     }
@@ -62,13 +62,15 @@ private:
     // Nothing moves by itself, and hands have been still for some frames.
     bool is_idle()
     {
-        const bool moves = activity_.clock_runs || activity_.replays || activity_.records;
+        const bool moves = activity_.clock_runs || activity_.replays || activity_.records || is_animated();
         const ImGuiIO& io = ImGui::GetIO();
         const bool held =
             ImGui::IsAnyMouseDown() || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
         still_frames_ = moves || held ? 0 : still_frames_ + 1;
         return still_frames_ > 3;
     }
+
+    bool is_animated() const { return state_.animation != kNoMotion && state_.animation_speed != 0.0; }
 
     void frame()
     {
@@ -109,6 +111,8 @@ private:
             state_.light.time->utc += std::chrono::duration_cast<std::chrono::microseconds>(passed);
             clock_.bring_up_to_date(state_.light);
         }
+        if (is_animated())
+            state_.animation_s += seconds * state_.animation_speed;
         if (activity_.replays && activity_.flight.poses.empty())
             activity_.flight = usual_flight(scene_.field(), aspect_);
         if (activity_.replays) {
@@ -136,6 +140,8 @@ private:
             next_technique();
         if (pressed(GLFW_KEY_X))
             state_.difference = !state_.difference;
+        if (pressed(GLFW_KEY_M))
+            next_animation();
         if (pressed(GLFW_KEY_SPACE))
             activity_.clock_runs = !activity_.clock_runs;
         if (pressed(GLFW_KEY_F1))
@@ -221,11 +227,7 @@ private:
     {
         Brush brush = activity_.brush;
         brush.amount_m *= seconds;
-        const CellSize cell_size_m = viewed_.terrain.cell_size_m;
-        const CellRectangle changed = stroke(viewed_.terrain.heights_m.view(), cell_size_m,
-                                             grid_point(under_pointer(), cell_size_m), brush);
-        if (changed.rows > 0)
-            scene_.heights_changed(changed);
+        scene_.stroke(grid_point(under_pointer(), scene_.field().cell_size_m), brush);
     }
 
     // What was clicked on stays under the pointer.
@@ -253,12 +255,24 @@ private:
         activity_.message = "Shadows: " + state_.technique;
     }
 
+    // None after the last.
+    void next_animation()
+    {
+        const auto kinds = ground_motions();
+        const auto found = std::ranges::find(kinds, state_.animation, &GroundMotionKind::name);
+        const auto next = found == kinds.end() ? 0 : static_cast<std::size_t>(found - kinds.begin()) + 1;
+        state_.animation = next < kinds.size() ? kinds[next].name : kNoMotion;
+        state_.animation_s = 0.0;
+        activity_.message = "Ground in motion: " + state_.animation;
+    }
+
     static void smooth(double& figure, double value) { figure += kSmoothing * (value - figure); }
 
     void note(const FrameCost& cast, const FrameCost& drawn)
     {
         if (cast.cast_ms > 0.0)
             figures_.cast_ms = cast.cast_ms;
+        figures_.ground_ms = cast.ground_ms;
         figures_.cast_gpu_ms = cast.cast_gpu_ms.value_or(figures_.cast_gpu_ms);
         figures_.draw_gpu_ms = drawn.draw_gpu_ms.value_or(figures_.draw_gpu_ms);
         figures_.mesh = drawn.mesh;
@@ -324,7 +338,6 @@ private:
     }
 
     window::AppWindow& window_;
-    ViewedTerrain& viewed_;
     const SunClock& clock_;
     Scene scene_;
     ViewerState state_;

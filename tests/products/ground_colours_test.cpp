@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 
@@ -52,6 +53,41 @@ TEST(GroundPicture, IsTransparentWhereThereAreNoData)
     const Picture picture = ground_picture(terrain, fitted(tint_named("natural"), height_span(terrain), {}));
     EXPECT_EQ(picture(3, 4), (Rgba8{0, 0, 0, 0}));
     EXPECT_EQ(picture(3, 5)[3], 255);
+}
+
+TEST(GroundPicture, PaintedAnewWhereHeightsChangedIsThatOfTheNewHeights)
+{
+    Terrain terrain = make_plane({.grid = {.rows = 40, .columns = 60, .cell_size_m = {30.0, 30.0}},
+                                  .height_m = 900.0,
+                                  .slope = 10_deg});
+    const Tint tint = fitted(tint_named("natural"), {.high_m = 2000.0f, .highest_m = 2500.0f}, {});
+    const HeightField field = terrain;
+    const GroundColours colours(field, tint, {}, {});
+    Picture picture = ground_picture(terrain, tint);
+    const CellRectangle changed{.first_row = 10, .first_column = 59, .rows = 12, .columns = 1};
+    for (std::size_t row = 10; row < 22; ++row)
+        terrain.heights_m(row, 59) += 900.0f;
+    const Picture fresh = ground_picture(terrain, tint);
+    EXPECT_NE(picture(15, 58), fresh(15, 58)); // steeper
+    paint_ground(colours, repainted(changed, terrain), picture.view());
+    EXPECT_TRUE(std::ranges::equal(picture.values(), fresh.values()));
+}
+
+TEST(GroundPicture, KeepsWaterThatMovesWater)
+{
+    const Terrain at_rest =
+        make_cone({.grid = {.rows = 60, .columns = 60, .cell_size_m = {30.0, 30.0}}, .height_m = 400.0});
+    Terrain moved{at_rest.heights_m.copy(), at_rest.cell_size_m};
+    moved.heights_m(2, 3) += 5.0f;
+    const Tint tint =
+        fitted(tint_named("natural"), height_span(at_rest), {.kind = SeaKind::surface, .level_m = 0.0f});
+    const HeightField moved_field = moved;
+    const HeightField still_field = at_rest;
+    const GroundColours colours(moved_field, still_field, tint, {}, {});
+    Picture picture(60, 60);
+    paint_ground(colours, {0, 0, 60, 60}, picture.view());
+    EXPECT_EQ(picture(2, 3), ground_picture(at_rest, tint)(2, 3));
+    EXPECT_NE(picture(2, 3), ground_picture(moved, tint)(2, 3));
 }
 
 TEST(GroundPicture, RefusesATextureOfAnotherSize)

@@ -192,7 +192,8 @@ TEST(LevelOfDetail, ChangedHeightsAreFoundAsIfMeasuredAnew)
         std::ranges::fill(terrain.heights_m.row(row).subspan(128, 7), row % 2 == 0 ? 9000.0f : kNaN);
     detail.heights_changed(rectangle);
     const LevelOfDetail anew(terrain);
-    for (std::uint32_t level = 0; level < anew.levels(); ++level)
+    for (std::uint32_t level = 0; level < anew.levels(); ++level) {
+        EXPECT_EQ(detail.error_m(level), anew.error_m(level)) << level;
         for (std::uint32_t row = 0; row < 300; row += static_cast<std::uint32_t>(kPatchSquares) << level)
             for (std::uint32_t column = 0; column < 340;
                  column += static_cast<std::uint32_t>(kPatchSquares) << level) {
@@ -201,8 +202,20 @@ TEST(LevelOfDetail, ChangedHeightsAreFoundAsIfMeasuredAnew)
                 EXPECT_EQ(box.low.z, fresh.low.z);
                 EXPECT_EQ(box.high.z, fresh.high.z);
             }
+    }
     EXPECT_EQ(detail.heights().highest_m, 9000.0f);
     EXPECT_EQ(detail.morph_ranges(700.0, 1000.0)[0].end_m, anew.morph_ranges(700.0, 1000.0)[0].end_m);
+}
+
+TEST(LevelOfDetail, DrawsGroundThatHasBecomeRougherMoreFinely)
+{
+    Terrain terrain = make_plane({.grid = {.rows = 300, .columns = 300, .cell_size_m = {20.0, 20.0}}});
+    LevelOfDetail detail(terrain);
+    const double before_m = detail.error_m(1);
+    const Terrain rough = mountains(300, 300);
+    std::ranges::copy(rough.heights_m.values(), terrain.heights_m.values().begin());
+    detail.heights_changed({0, 0, 300, 300}, {.threads = 1});
+    EXPECT_GT(detail.error_m(1), before_m + 0.5);
 }
 
 TEST(LevelOfDetail, WhatHasNoDataIsNotDrawn)

@@ -95,6 +95,8 @@ TEST_F(Viewer, RefusesStatesThatAreWrongAndSaysWhere)
                  "camera: 'pitch_deg' must be a number from -90 to 90, got 120");
     write_file("technique.json", R"({"technique": "magic"})");
     expect_error({"dem.tif", "--render", "p.png", "--state", "technique.json"}, 3, "there are: none, exact");
+    write_file("animation.json", R"({"animation": "jelly"})");
+    expect_error({"dem.tif", "--render", "p.png", "--state", "animation.json"}, 3, "there are: crater");
     write_file("time.json", R"({"light": {"time": "noon"}})");
     expect_error({"dem.tif", "--render", "p.png", "--state", "time.json"}, 3, "'time'");
     expect_error({"dem.tif", "--render", "p.png", "--state", "missing.json"}, 3, "cannot be read");
@@ -106,6 +108,7 @@ TEST_F(Viewer, RefusesOptionsThatDoNotGoTogether)
     expect_error({"dem.tif", "--technique", "all"}, 2, "--flyby");
     expect_error({"dem.tif", "--render", "p.png", "--flyby", "5"}, 2, "not both");
     expect_error({"dem.tif", "--report", "r.json"}, 2, "--flyby");
+    expect_error({"dem.tif", "--animate", "jelly"}, 2, "there are: crater, waves, landscape");
     expect_error({"dem.tif", "--render", "p.png", "--size", "100"}, 2, "--size must be");
     expect_error({"dem.tif", "--render", "p.png", "--size", "100x99999"}, 2, "at most");
     expect_error({"dem.tif", "--nonsense"}, 2, "no option is called '--nonsense'");
@@ -176,6 +179,55 @@ TEST_F(Viewer, FliesAlongARecordedPathAndWritesItsPictures)
     expect_error({"dem.tif", "--flyby", "3", "--frames", "nowhere"}, 4, "no folder 'nowhere'");
     write_file("empty.json", R"({"poses": []})");
     expect_error({"dem.tif", "--flyby", "3", "--flight", "empty.json"}, 3, "at least one camera");
+}
+
+TEST_F(Viewer, ShowsGroundInMotionAtTheSecondAsked)
+{
+    const auto at = [&](const std::string& motion, const std::string& second) {
+        return rendered(motion + second + ".png", {"--animate", motion, "--animate-from", second});
+    };
+    const auto at_rest = rendered("rest.png");
+    EXPECT_EQ(at("waves", "0"), at_rest);
+    EXPECT_NE(at("waves", "5"), at_rest);
+    EXPECT_NE(at("landscape", "5"), at_rest);
+    const auto crater = at("crater", "5");
+    EXPECT_NE(crater, at_rest);
+    EXPECT_NE(crater, at("crater", "9"));
+    EXPECT_EQ(crater, at("crater", "21")); // a period later
+}
+
+// 25 frames a second: frame 2 of the flight is the second that --render shows, whatever came before it.
+TEST_F(Viewer, FliesOverGroundInMotion)
+{
+    write_file("flight.json",
+               R"({"poses": [{"east_m": 700, "north_m": -1500, "height_m": 900, "pitch_deg": -30}]})");
+    write_file("state.json",
+               R"({"camera": {"east_m": 700, "north_m": -1500, "height_m": 900, "pitch_deg": -30},
+                                 "animation": "crater", "animation_speed": 100, "animation_s": 1})");
+    const Finished finished =
+        run({"dem.tif", "--flyby", "3", "--flight", "flight.json", "--state", "state.json", "--size", "64x48",
+             "--frames", ".", "--technique", "all", "--report", "report.json"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_NE(read("exact_still_0000.png").values, read("exact_still_0002.png").values);
+    for (const auto& flight : nlohmann::json::parse(read_file("report.json"))["flights"]) {
+        EXPECT_GT(flight["mean_ground_ms"], 0.0);
+        if (flight["technique"] == "exact") {
+            EXPECT_EQ(flight["wrong_share"], 0.0);
+        }
+    }
+    write_file("later.json",
+               R"({"camera": {"east_m": 700, "north_m": -1500, "height_m": 900, "pitch_deg": -30},
+                                 "animation": "crater", "animation_s": 9})");
+    ASSERT_EQ(run({"dem.tif", "--flyby", "2", "--flight", "flight.json", "--state", "later.json", "--size",
+                   "64x48", "--frames", ".", "--technique", "exact", "--overwrite"})
+                  .exit_code,
+              0);
+    const auto later = read("exact_still_0000.png").values;
+    ASSERT_EQ(run({"dem.tif", "--flyby", "3", "--flight", "flight.json", "--state", "state.json", "--size",
+                   "64x48", "--frames", ".", "--technique", "exact", "--overwrite"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(read("exact_still_0002.png").values, later);
 }
 
 TEST_F(Viewer, ExplainsItself)

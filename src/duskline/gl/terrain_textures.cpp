@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace duskline::gl {
 
@@ -44,12 +45,19 @@ TerrainTextures::TerrainTextures(const HeightField& field, GridView<const std::a
     ground_.make_mipmaps();
 }
 
+namespace {
+
+template <typename T>
+GridView<const T> part_of(GridView<const T> all, const CellRectangle& rectangle)
+{
+    return all.window(rectangle.first_row, rectangle.first_column, rectangle.rows, rectangle.columns);
+}
+
+} // namespace
+
 void TerrainTextures::heights_changed(const CellRectangle& rectangle)
 {
-    const auto part_of = [&](GridView<const float> all) {
-        return all.window(rectangle.first_row, rectangle.first_column, rectangle.rows, rectangle.columns);
-    };
-    const GridView<const float> changed_m = part_of(field_.heights_m);
+    const GridView<const float> changed_m = part_of(field_.heights_m, rectangle);
     heights_.upload(changed_m, rectangle.first_row, rectangle.first_column);
     if (filled_m_.empty()) {
         mesh_heights_.upload(changed_m, rectangle.first_row, rectangle.first_column);
@@ -59,9 +67,18 @@ void TerrainTextures::heights_changed(const CellRectangle& rectangle)
                 if (!std::isnan(changed_m(row, column)))
                     filled_m_(rectangle.first_row + row, rectangle.first_column + column) =
                         changed_m(row, column);
-        mesh_heights_.upload(part_of(filled_m_.view()), rectangle.first_row, rectangle.first_column);
+        mesh_heights_.upload(part_of(std::as_const(filled_m_).view(), rectangle), rectangle.first_row,
+                             rectangle.first_column);
     }
     mesh_heights_.make_mipmaps();
+}
+
+void TerrainTextures::colours_changed(GridView<const std::array<std::uint8_t, 4>> ground,
+                                      const CellRectangle& rectangle)
+{
+    require_same_size("the ground's colours", ground, field_);
+    ground_.upload(part_of(ground, rectangle), rectangle.first_row, rectangle.first_column);
+    ground_.make_mipmaps();
 }
 
 } // namespace duskline::gl

@@ -32,6 +32,10 @@ public:
     /// still, and the other way round. Cost: the rectangle, and the mipmaps of all.
     void heights_changed(const CellRectangle& rectangle);
 
+    /// To be called when the ground's colours, a picture of all of it, have changed in a rectangle inside the grid. Cost:
+    /// the rectangle, and the mipmaps of all.
+    void colours_changed(GridView<const std::array<std::uint8_t, 4>> ground, const CellRectangle& rectangle);
+
 private:
     HeightField field_;
     Grid<float> filled_m_; ///< empty without holes

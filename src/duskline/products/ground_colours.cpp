@@ -31,7 +31,12 @@ Colour ground_with_rock(const Tint& tint, Colour ground, float slope)
 
 GroundColours::GroundColours(const HeightField& field, const Tint& tint, GridView<const Rgba8> texture,
                              const Execution& execution)
-    : field_(field), tint_(tint), texture_(texture), water_(field, tint, execution)
+    : GroundColours(field, field, tint, texture, execution)
+{}
+
+GroundColours::GroundColours(const HeightField& field, const HeightField& at_rest, const Tint& tint,
+                             GridView<const Rgba8> texture, const Execution& execution)
+    : field_(field), tint_(tint), texture_(texture), water_(at_rest, tint, execution)
 {}
 
 void GroundColours::fill_row(std::size_t row, std::span<const float> dz_dx, std::span<const float> dz_dy,
@@ -69,6 +74,30 @@ GroundColour GroundColours::colour(std::size_t row, std::size_t column, float st
     return {entry.colour, entry.opacity};
 }
 
+void paint_ground(const GroundColours& colours, const CellRectangle& rectangle, GridView<Rgba8> picture,
+                  const Execution& execution)
+{
+    const HeightField& field = colours.field();
+    const SrgbEncoder encoder;
+    for_rows(rectangle.rows, kRowsPerPiece, execution, [&](std::size_t first, std::size_t last) {
+        std::vector<float> dz_dx(field.columns());
+        std::vector<float> dz_dy(field.columns());
+        std::vector<GroundColour> ground(field.columns());
+        for (std::size_t y = rectangle.first_row + first; y < rectangle.first_row + last; ++y) {
+            slopes_of_row(field, y, dz_dx, dz_dy);
+            colours.fill_row(y, dz_dx, dz_dy, ground);
+            for (std::size_t x = rectangle.first_column; x < rectangle.first_column + rectangle.columns; ++x)
+                picture(y, x) = std::isnan(field.heights_m(y, x)) ? Rgba8{0, 0, 0, 0}
+                                                                  : encoder.pixel(ground[x].colour, y, x);
+        }
+    });
+}
+
+CellRectangle repainted(const CellRectangle& heights_changed, const HeightField& field)
+{
+    return grown(heights_changed, 1, field.rows(), field.columns());
+}
+
 Picture ground_picture(const HeightField& field, const Tint& tint, GridView<const Rgba8> texture,
                        const Execution& execution)
 {
@@ -77,20 +106,8 @@ Picture ground_picture(const HeightField& field, const Tint& tint, GridView<cons
                            + " x " + std::to_string(field.columns()) + ", got "
                            + std::to_string(texture.rows()) + " x " + std::to_string(texture.columns()));
     const GroundColours ground(field, tint, texture, Execution{execution.threads, {}});
-    const SrgbEncoder encoder;
     Picture picture(field.rows(), field.columns());
-    for_rows(field.rows(), kRowsPerPiece, execution, [&](std::size_t first, std::size_t last) {
-        std::vector<float> dz_dx(field.columns());
-        std::vector<float> dz_dy(field.columns());
-        std::vector<GroundColour> colours(field.columns());
-        for (std::size_t y = first; y < last; ++y) {
-            slopes_of_row(field, y, dz_dx, dz_dy);
-            ground.fill_row(y, dz_dx, dz_dy, colours);
-            for (std::size_t x = 0; x < field.columns(); ++x)
-                picture(y, x) = std::isnan(field.heights_m(y, x)) ? Rgba8{0, 0, 0, 0}
-                                                                  : encoder.pixel(colours[x].colour, y, x);
-        }
-    });
+    paint_ground(ground, {0, 0, field.rows(), field.columns()}, picture.view(), execution);
     return picture;
 }
 

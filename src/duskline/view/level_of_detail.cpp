@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace duskline {
 
@@ -75,9 +76,8 @@ LevelOfDetail::LevelOfDetail(const HeightField& field, const Execution& executio
         const std::size_t cells = block_cells(level);
         blocks_.emplace_back(std::max<std::size_t>(1, block_count(field.rows(), cells)),
                              std::max<std::size_t>(1, block_count(field.columns(), cells)), HeightRange());
-        error_m_.push_back(level == 0 ? 0.0
-                                      : error_m_.back() + step_error_m(field, std::size_t{1} << (level - 1)));
     }
+    measure_errors({.threads = execution.threads});
     for_rows(blocks_[0].rows(), 1, execution, [&](std::size_t first, std::size_t last) {
         for (std::size_t row = first; row < last; ++row)
             for (std::size_t column = 0; column < blocks_[0].columns(); ++column)
@@ -88,6 +88,17 @@ LevelOfDetail::LevelOfDetail(const HeightField& field, const Execution& executio
             for (std::size_t column = 0; column < blocks_[level].columns(); ++column)
                 measure_parent(level, row, column);
     find_diagonals();
+}
+
+// What a level is wrong by adds up from the steps to it.
+void LevelOfDetail::measure_errors(const Execution& execution)
+{
+    error_m_.assign(levels(), 0.0);
+    for_rows(levels() - 1, 1, execution, [&](std::size_t first, std::size_t last) {
+        for (std::size_t step = first; step < last; ++step)
+            error_m_[step + 1] = step_error_m(field_, std::size_t{1} << step);
+    });
+    std::partial_sum(error_m_.begin(), error_m_.end(), error_m_.begin());
 }
 
 void LevelOfDetail::measure_block(std::size_t block_row, std::size_t block_column)
@@ -128,7 +139,7 @@ void LevelOfDetail::find_diagonals()
     }
 }
 
-void LevelOfDetail::heights_changed(const CellRectangle& rectangle)
+void LevelOfDetail::heights_changed(const CellRectangle& rectangle, const Execution& execution)
 {
     if (rectangle.rows == 0 || rectangle.columns == 0)
         return;
@@ -149,6 +160,7 @@ void LevelOfDetail::heights_changed(const CellRectangle& rectangle)
         last_column /= 2;
     }
     find_diagonals();
+    measure_errors(execution);
 }
 
 std::vector<MorphRange> LevelOfDetail::morph_ranges(double pixels_per_radian, double pixel_error) const

@@ -48,9 +48,9 @@ public:
     /// One pass over the heights, of which it keeps a view. Throws InvalidInput for cell sizes out of range, Cancelled.
     explicit LevelOfDetail(const HeightField& field, const Execution& execution = {});
 
-    /// To be called when heights have changed in a rectangle inside the grid, before the next `select`. The errors of the
-    /// levels stay as they were. Cost: a pass over the blocks it touches.
-    void heights_changed(const CellRectangle& rectangle);
+    /// To be called when heights have changed in a rectangle inside the grid, before the next `morph_ranges`: it is then
+    /// as if made anew. Cost: a pass over the blocks it touches, and over 100 000 samples of each level.
+    void heights_changed(const CellRectangle& rectangle, const Execution& execution = {});
 
     /// Levels there are, the finest 0.
     std::size_t levels() const { return blocks_.size(); }
@@ -75,6 +75,7 @@ public:
 private:
     struct Selection;
 
+    void measure_errors(const Execution& execution);
     void measure_block(std::size_t block_row, std::size_t block_column);
     void measure_parent(std::size_t level, std::size_t block_row, std::size_t block_column);
     void find_diagonals();
