@@ -166,6 +166,26 @@ TEST(SunPosition, RefusesPlacesAndTimesThatAreNone)
     EXPECT_THROW(sun_position(time, place(0, 0), {.air = Air{.temperature_c = -273.0}}), InvalidInput);
 }
 
+TEST(SunDirection, IsWhereTheSunStandsOverhead)
+{
+    for (const char* time : {"2026-06-21T18:30Z", "1999-01-05T03:00Z", "2030-03-20T12:00Z"}) {
+        const Vector3 sun = sun_direction(at(time));
+        EXPECT_NEAR(length(sun), 1.0, 1e-15);
+        for (double latitude = -80.0; latitude < 81.0; latitude += 20.0)
+            for (double longitude = -180.0; longitude < 180.0; longitude += 45.0) {
+                const auto [sin_lat, cos_lat] = sine_cosine(Angle::from_degrees(latitude));
+                const auto [sin_lon, cos_lon] = sine_cosine(Angle::from_degrees(longitude));
+                const Vector3 up = {cos_lat * cos_lon, cos_lat * sin_lon, sin_lat};
+                const double altitude = Angle::from_radians(std::asin(dot(sun, up))).degrees();
+                EXPECT_NEAR(sun_position(at(time), place(latitude, longitude)).geometric_altitude.degrees(),
+                            altitude, 0.003);
+            }
+    }
+    EXPECT_NEAR(Angle::from_radians(std::asin(sun_direction(at("2026-06-21T08:25Z")).z)).degrees(), 23.436,
+                0.003); // the obliquity, within its nutation
+    EXPECT_THROW(sun_direction(at("1500-01-01T00:00Z")), InvalidInput);
+}
+
 TEST(Refraction, FollowsTheFormulaOfTheSolarPositionAlgorithm)
 {
     constexpr std::pair<double, double> kTable[] = {{-0.5, 0.561463}, {0, 0.483032},  {0.5, 0.416732},

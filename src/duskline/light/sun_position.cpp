@@ -197,6 +197,11 @@ SunPosition sun_position(UtcTime time, const Place& place, const SunOptions& opt
     return sun;
 }
 
+Vector3 sun_direction(UtcTime time, const SunOptions& options)
+{
+    return normalized(sun_from_earth_au(epoch(time, options)));
+}
+
 Angle refraction(Angle geometric_altitude, const Air& air)
 {
     require_valid(air);

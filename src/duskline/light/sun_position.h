@@ -1,5 +1,6 @@
 #pragma once
 
+#include <duskline/geometry/vector.h>
 #include <duskline/light/date_time.h>
 #include <duskline/light/directional_light.h>
 #include <duskline/light/place.h>
@@ -39,6 +40,11 @@ struct SunPosition {
 ///
 /// Throws InvalidInput on years outside 1600 to 2400, latitudes beyond 90 degrees, and what is not finite.
 SunPosition sun_position(UtcTime time, const Place& place, const SunOptions& options = {});
+
+/// The direction from the earth's centre to the sun, unit length, in the frame that turns with the earth: x to longitude 0,
+/// z to the north pole. The same models; for light on the whole globe, whose places see the sun up to 0.0025 degrees aside
+/// (parallax). Throws InvalidInput on years outside 1600 to 2400.
+Vector3 sun_direction(UtcTime time, const SunOptions& options = {});
 
 /// How much air lifts a light seen at that altitude above the horizontal without it. The formula of Bennett and
 /// Saemundsson as in the NREL SPA (Reda and Andreas, TP-560-34302, 2008, equation 42), for the whole sun: 0 when

@@ -97,7 +97,8 @@ struct PlanetTerrain::Sampler {
         const std::uint32_t first = terrain.first_band_;
         std::fill(heights_of_bands.begin() + first, heights_of_bands.end(), 0.0);
         for (const Source& source : terrain.sources_) {
-            const SourceSample sample = source.levels.at(place, source.blocks[level]);
+            const SourceSample sample =
+                source.levels.at(place, source.blocks[level], level >= terrain.first_band_);
             if (!(sample.weight > 0.0))
                 continue;
             height_m += sample.weight * (sample.height_m - height_m);
@@ -138,7 +139,6 @@ struct PlanetTerrain::Sampler {
     std::array<double, kDeepestTileLevel + 1> heights_of_bands = {};
 };
 
-// Interpolation by cubics overshoots by at most an eighth of the range at each end, along rows and again along columns.
 void PlanetTerrain::find_range()
 {
     range_.include(0.0f);
@@ -150,8 +150,23 @@ void PlanetTerrain::find_range()
             all += band;
         detail_m = std::max(detail_m, all * static_cast<double>(source.levels.greatest_roughness_m()));
     }
-    const float more_m = 0.3f * (range_.highest_m - range_.lowest_m) + static_cast<float>(detail_m);
+    const float more_m =
+        kCubicOvershoot * (range_.highest_m - range_.lowest_m) + static_cast<float>(detail_m);
     range_ = {options_.sea ? 0.0f : range_.lowest_m - more_m, range_.highest_m + more_m};
+}
+
+double PlanetTerrain::relief_below_m(std::uint32_t level) const
+{
+    double relief_m = 0.0;
+    for (const Source& source : sources_) {
+        double bands = 0.0;
+        for (std::uint32_t band = level + 1; band <= deepest_level_; ++band)
+            bands += source.bands[band];
+        relief_m =
+            std::max(relief_m, static_cast<double>(source.levels.relief_below_m(source.blocks[level]))
+                                   + bands * static_cast<double>(source.levels.greatest_roughness_m()));
+    }
+    return relief_m;
 }
 
 float PlanetTerrain::height_m(const Vector3& direction, std::uint32_t level) const

@@ -52,6 +52,10 @@ public:
     /// All ground lies within, made-up detail included.
     HeightRange heights() const { return range_; }
 
+    /// How far the ground of deeper levels may lie from a level's own at the same place: a bound for all places, but for the
+    /// borders of sources that disagree.
+    double relief_below_m(std::uint32_t level) const;
+
     /// The ground of a tile, of level deepest_level() or above. The same tile, the same bytes. About 5 ms.
     TileHeights heights_of(const PlanetTile& tile) const;
 

@@ -27,7 +27,8 @@ struct PlanetTile {
     std::uint32_t row = 0;    ///< below 2^level
     std::uint32_t column = 0; ///< below 2^level
 
-    auto operator<=>(const PlanetTile&) const = default;
+    // clang-tidy 14 takes the zero that comparisons are rewritten with for a pointer.
+    auto operator<=>(const PlanetTile&) const = default; // NOLINT(modernize-use-nullptr)
 };
 
 /// Squares of the grid along a tile's side. Samples are at their corners: 0 to kTileSquares, the first and last shared with
@@ -97,7 +98,7 @@ inline Vector3 centre_direction(const PlanetTile& tile)
     return sample_direction(tile, kTileSquares / 2.0, kTileSquares / 2.0);
 }
 
-/// The point of the ellipsoid that a tile's vertices are relative to.
+/// The point of the ellipsoid at a tile's middle.
 inline Vector3 centre_m(const Globe& globe, const PlanetTile& tile)
 {
     return point_m(globe, centre_direction(tile), 0.0);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace duskline {
 
@@ -100,6 +101,7 @@ SourceLevels::SourceLevels(PlanetSource source, const Options& options, const Ex
     measure_weights(options.border_cells);
     measure_roughness(options.sea);
     add_coarser_levels();
+    measure_relief(options.sea);
     for_rows(levels(), 1, execution, [&](std::size_t first, std::size_t last) {
         for (std::size_t level = first; level < last; ++level)
             if (has_holes(heights_m_[level]))
@@ -179,6 +181,52 @@ void SourceLevels::add_coarser_levels()
         heights_m_.push_back(block_means(heights_m_.back()));
         if (!weights_.empty())
             weights_.push_back(block_means(weights_.back()));
+    }
+}
+
+namespace {
+
+// The ranges of blocks of two by two.
+Grid<HeightRange> joined(const Grid<HeightRange>& fine)
+{
+    Grid<HeightRange> coarse(halved(fine.rows()), halved(fine.columns()), HeightRange());
+    for (std::size_t row = 0; row < fine.rows(); ++row)
+        for (std::size_t column = 0; column < fine.columns(); ++column)
+            coarse(row / 2, column / 2).include(fine(row, column));
+    return coarse;
+}
+
+// The greatest difference of heights within two blocks of any block.
+float steepest_m(const Grid<HeightRange>& blocks)
+{
+    float steepest_m = 0.0f;
+    for (std::size_t row = 0; row < blocks.rows(); ++row)
+        for (std::size_t column = 0; column < blocks.columns(); ++column) {
+            HeightRange around;
+            for (std::size_t y = row - std::min<std::size_t>(row, 2); y < std::min(row + 3, blocks.rows());
+                 ++y)
+                for (std::size_t x = column - std::min<std::size_t>(column, 2);
+                     x < std::min(column + 3, blocks.columns()); ++x)
+                    around.include(blocks(y, x));
+            steepest_m = std::max(steepest_m, around.highest_m - around.lowest_m);
+        }
+    return steepest_m;
+}
+
+} // namespace
+
+// A mean and the cells it is made of lie within the range of the blocks around, but for what cubics overshoot.
+void SourceLevels::measure_relief(bool sea)
+{
+    Grid<HeightRange> ranges(heights_m_[0].rows(), heights_m_[0].columns(), HeightRange());
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const float height_m = heights_m_[0].values()[i];
+        ranges.values()[i].include(sea ? std::max(height_m, 0.0f) : height_m);
+    }
+    relief_below_m_.assign(levels(), 0.0f);
+    for (std::size_t level = 1; level < levels(); ++level) {
+        ranges = joined(ranges);
+        relief_below_m_[level] = (1.0f + kCubicOvershoot) * steepest_m(ranges);
     }
 }
 
@@ -293,7 +341,7 @@ double SourceLevels::linear(const Grid<float>& grid, const Cell& cell) const
     return sum;
 }
 
-SourceSample SourceLevels::at(const LonLat& place, std::size_t level) const
+SourceSample SourceLevels::at(const LonLat& place, std::size_t level, bool with_roughness) const
 {
     Cell cell = {};
     if (!find_cell(place, cell))
@@ -304,6 +352,8 @@ SourceSample SourceLevels::at(const LonLat& place, std::size_t level) const
     if (!(sample.weight > 0.0))
         return {};
     sample.height_m = cubic(heights_m_[level], block);
+    if (!with_roughness)
+        return sample;
     const auto rough = [](double at) { return (at + 0.5) / kRoughnessCells - 0.5; };
     sample.roughness_m = linear(roughness_m_, {rough(cell.row), rough(cell.column)});
     return sample;

@@ -17,6 +17,10 @@ struct SourceSample {
     double roughness_m = 0.0; ///< how far cells around lie off the mean of their neighbours
 };
 
+/// How far cubic interpolation leaves the range of the values around, at either end, as a share of that range: an eighth along
+/// rows and again along columns.
+inline constexpr float kCubicOvershoot = 0.3f;
+
 /// A source and the means of its blocks of 2 x 2, 4 x 4, ... cells, read at any place: what is drawn coarsely is averaged
 /// and not picked out. Safe to read from several threads.
 class SourceLevels {
@@ -41,11 +45,14 @@ public:
     /// Cubic convolution between the cells (R. Keys, Cubic convolution interpolation for digital image processing, 1981):
     /// smooth, and right at their centres. Round the globe where the source goes round, over the poles where it reaches
     /// them. About 50 ns.
-    SourceSample at(const LonLat& place, std::size_t level) const;
+    SourceSample at(const LonLat& place, std::size_t level, bool with_roughness = true) const;
 
     /// Of the cells themselves.
     HeightRange heights() const { return range_; }
     float greatest_roughness_m() const;
+
+    /// How far the ground of finer levels may lie from a level's own at the same place, at most: 0 for the finest.
+    float relief_below_m(std::size_t level) const { return relief_below_m_[level]; }
 
 private:
     struct Cell {
@@ -61,6 +68,7 @@ private:
     void measure_weights(std::size_t border_cells);
     void measure_roughness(bool sea);
     void add_coarser_levels();
+    void measure_relief(bool sea);
 
     Angle west_;
     Angle north_;
@@ -72,6 +80,7 @@ private:
     std::vector<Grid<float>> heights_m_; // of each level, holes filled
     std::vector<Grid<float>> weights_;   // of each level; empty where all weights are 1
     Grid<float> roughness_m_;            // of blocks of kRoughnessCells
+    std::vector<float> relief_below_m_;
 };
 
 } // namespace duskline

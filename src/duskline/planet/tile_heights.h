@@ -29,6 +29,15 @@ struct TileHeights {
     std::size_t bytes() const { return heights_m.size() * sizeof(float) + measured.size(); }
 };
 
+/// What the vertices of a tile are relative to when they are floats: the point at its middle, amid its heights. From the
+/// ellipsoid instead, vertices on mountains would be off by tenths of a millimetre, which is seen from a metre away.
+inline Vector3 origin_m(const Globe& globe, const PlanetTile& tile, const TileHeights& heights)
+{
+    const HeightRange range = heights.range;
+    return point_m(globe, centre_direction(tile),
+                   (static_cast<double>(range.lowest_m) + static_cast<double>(range.highest_m)) / 2.0);
+}
+
 /// Where a sample of a tile is.
 inline Vector3 sample_point_m(const Globe& globe, const PlanetTile& tile, const TileHeights& heights,
                               std::int32_t row, std::int32_t column)

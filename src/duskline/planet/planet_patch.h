@@ -1,0 +1,16 @@
+#pragma once
+
+#include <duskline/planet/planet_tile.h>
+#include <duskline/view/level_of_detail.h>
+
+namespace duskline {
+
+/// A tile to draw, and at what distances from the eye its mesh turns into its parent's: from `begin_m` on each vertex moves,
+/// and from `end_m` on it is where the parent's triangles are. The distance is that of the vertex's place ON THE PARENT'S
+/// mesh, which both tiles at a change of level know. Tiles of level 0 never turn: both are infinite.
+struct PlanetPatch {
+    PlanetTile tile;
+    MorphRange morph;
+};
+
+} // namespace duskline
