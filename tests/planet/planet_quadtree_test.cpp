@@ -284,6 +284,33 @@ TEST(PlanetQuadtree, KeepsWithinItsMemoryOnAFlightDown)
     }
 }
 
+TEST(PlanetQuadtree, TellsWhichTilesCameAndWent)
+{
+    const PlanetTerrain terrain = small_planet();
+    PlanetQuadtree quadtree(terrain, {.most_tiles = 100});
+    std::unordered_map<PlanetTile, std::shared_ptr<const TileHeights>> there;
+    std::size_t gone = 0;
+    for (int frame = 0; frame < 12; ++frame) {
+        PlanetCamera camera =
+            camera_over(terrain.globe(), {Angle::from_degrees(40.0 * frame), 20_deg}, 3000.0);
+        camera.pitch = Angle::from_degrees(-40.0);
+        quadtree.update(camera, kWidth, kHeight, 20);
+        for (const TileCache::Change& change : quadtree.changes()) {
+            if (change.came) {
+                EXPECT_TRUE(there.emplace(change.tile, nullptr).second);
+            } else {
+                EXPECT_EQ(there.erase(change.tile), 1U);
+                ++gone;
+            }
+        }
+        EXPECT_EQ(there.size(), quadtree.tiles().size());
+        for (const auto& [tile, heights] : there)
+            EXPECT_NE(quadtree.tiles().find(tile), nullptr);
+    }
+    EXPECT_GT(gone, 0U);
+    EXPECT_EQ(quadtree.shared_heights_of({0, 0, 0, 0}).get(), &quadtree.heights_of({0, 0, 0, 0}));
+}
+
 TEST(PlanetQuadtree, DrawsCoarselyWhatDoesNotFitIntoMemory)
 {
     const PlanetTerrain terrain = small_planet();

@@ -37,7 +37,7 @@ TEST(TileCache, LoadsWhatTheTerrainSays)
     EXPECT_EQ(cache.load_children(std::array{PlanetTile{2, 0, 0, 0}}), 4U);
     const PlanetTile child = {2, 1, 1, 0};
     ASSERT_NE(cache.find(child), nullptr);
-    EXPECT_EQ(cache.find(child)->heights.height_m(7, 9), terrain.heights_of(child).height_m(7, 9));
+    EXPECT_EQ(cache.find(child)->heights->height_m(7, 9), terrain.heights_of(child).height_m(7, 9));
     EXPECT_EQ(cache.load_children(std::array{PlanetTile{2, 0, 0, 0}}), 0U); // there already
 }
 

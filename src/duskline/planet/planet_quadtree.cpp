@@ -106,6 +106,13 @@ const TileHeights& PlanetQuadtree::heights_of(const PlanetTile& tile) const
 {
     const LoadedTile* loaded = cache_.find(tile);
     assert(loaded != nullptr);
+    return *loaded->heights;
+}
+
+std::shared_ptr<const TileHeights> PlanetQuadtree::shared_heights_of(const PlanetTile& tile) const
+{
+    const LoadedTile* loaded = cache_.find(tile);
+    assert(loaded != nullptr);
     return loaded->heights;
 }
 
@@ -229,7 +236,9 @@ void PlanetQuadtree::update(const PlanetCamera& camera, std::size_t width, std::
     eye_m_ = camera.eye_m;
     View view = {camera.eye_m, PlanetFrustum(terrain_.globe(), camera, aspect),
                  Horizon(terrain_, camera.eye_m), wanted_ends_m(per_radian)};
-    cache_.begin_frame();
+    if (updated_) // the first frame has begun with the tiles of level 0
+        cache_.begin_frame();
+    updated_ = true;
     const std::size_t loads = load(view, most_loads, execution);
     // Missing although more might have been loaded: what there is room for is there.
     settled_ = view.requests.empty() || loads < most_loads;

@@ -7,6 +7,7 @@
 #include <duskline/planet/tile_cache.h>
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace duskline {
@@ -58,6 +59,12 @@ public:
     /// Of a tile that is loaded: all of `patches()` and `casters()`, and their ancestors.
     const TileHeights& heights_of(const PlanetTile& tile) const;
 
+    /// The same, to be kept while the tile goes.
+    std::shared_ptr<const TileHeights> shared_heights_of(const PlanetTile& tile) const;
+
+    /// Tiles that came and went in the last update, in that order of time; of the first update those of level 0, too.
+    const std::vector<TileCache::Change>& changes() const { return cache_.changes(); }
+
     /// Where each level turns into the next coarser one, now.
     const std::vector<MorphRange>& ranges() const { return ranges_; }
 
@@ -89,6 +96,7 @@ private:
     Vector3 eye_m_;
     std::vector<MorphRange> ranges_;
     std::vector<PlanetPatch> patches_;
+    bool updated_ = false;
     bool settled_ = false;
 };
 

@@ -64,6 +64,12 @@ TileCache::TileCache(const PlanetTerrain& terrain, std::size_t most_tiles, const
         add({face, 0, 0, 0}, std::move(faces.at(face)));
 }
 
+void TileCache::begin_frame()
+{
+    ++frame_;
+    changes_.clear();
+}
+
 const LoadedTile* TileCache::find(const PlanetTile& tile) const
 {
     const auto found = tiles_.find(tile);
@@ -81,10 +87,10 @@ std::unique_ptr<LoadedTile> TileCache::loaded(const PlanetTile& tile) const
 {
     const Globe& globe = terrain_.globe();
     auto result = std::make_unique<LoadedTile>();
-    result->heights = terrain_.heights_of(tile);
-    HeightRange range = result->heights.range;
+    result->heights = std::make_shared<const TileHeights>(terrain_.heights_of(tile));
+    HeightRange range = result->heights->range;
     if (tile.level > 0)
-        range.include(range_under_child(find(parent_of(tile))->heights, tile));
+        range.include(range_under_child(*find(parent_of(tile))->heights, tile));
     const auto margin_m = static_cast<float>(terrain_.relief_below_m(tile.level));
     range = {range.lowest_m - margin_m, range.highest_m + margin_m};
     result->box = box_around(globe, tile, range);
@@ -101,6 +107,7 @@ void TileCache::add(const PlanetTile& tile, std::unique_ptr<LoadedTile> loaded)
     double& longest_m = longest_diagonal_m_.at(tile.level);
     longest_m = std::max(longest_m, diagonal_m(loaded->box));
     tiles_[tile] = std::move(loaded);
+    changes_.push_back({tile, true});
 }
 
 // Children are never used without their parents, so of two equally old tiles the deeper one goes first.
@@ -122,8 +129,10 @@ bool TileCache::make_room(std::size_t tiles)
                                   : std::pair(b.second.level, b.second) < std::pair(a.second.level, a.second);
     };
     std::ranges::partial_sort(oldest, oldest.begin() + static_cast<std::ptrdiff_t>(going), older);
-    for (std::size_t i = 0; i < going; ++i)
+    for (std::size_t i = 0; i < going; ++i) {
         tiles_.erase(oldest[i].second);
+        changes_.push_back({oldest[i].second, false});
+    }
     return true;
 }
 
@@ -152,7 +161,7 @@ std::size_t TileCache::bytes() const
 {
     std::size_t bytes = 0;
     for (const auto& [tile, loaded] : tiles_)
-        bytes += loaded->heights.bytes();
+        bytes += loaded->heights->bytes();
     return bytes;
 }
 

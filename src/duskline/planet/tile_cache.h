@@ -5,17 +5,19 @@
 #include <duskline/planet/planet_tile.h>
 #include <duskline/planet/tile_heights.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <unordered_map>
+#include <vector>
 
 namespace duskline {
 
 /// A tile that is loaded, and where its ground is.
 struct LoadedTile {
-    TileHeights heights;
+    std::shared_ptr<const TileHeights> heights;
     OrientedBox box; ///< around its ground, its parent's there, and what of finer levels can stick out
     Vector3 stretched_middle;      ///< direction, where the globe is stretched to a sphere
     double stretched_radius = 0.0; ///< angle from the middle to the farthest corner there, radians
@@ -34,7 +36,16 @@ public:
     const LoadedTile* find(const PlanetTile& tile) const;
 
     /// Tiles used from now on, and what is loaded, are not thrown out before the next call.
-    void begin_frame() { ++frame_; }
+    void begin_frame();
+
+    /// Tiles that have come, and gone, since the frame began, in that order of time; one may go and come again. Before the first frame those of
+    /// level 0 have come.
+    struct Change {
+        PlanetTile tile;
+        bool came = true;
+    };
+    const std::vector<Change>& changes() const { return changes_; }
+
     /// Of a tile that is there, whose parent has been used.
     const LoadedTile& use(const PlanetTile& tile);
 
@@ -59,6 +70,7 @@ private:
     std::uint64_t frame_ = 1;
     std::unordered_map<PlanetTile, std::unique_ptr<LoadedTile>> tiles_;
     std::array<double, kDeepestTileLevel + 1> longest_diagonal_m_ = {};
+    std::vector<Change> changes_;
 };
 
 } // namespace duskline
