@@ -132,8 +132,10 @@ private:
         ViewerState state = first_;
         state.camera = pose_at(path_, static_cast<double>(frame) / (frames - 1.0));
         state.technique = flight.technique;
-        if (!flight.still)
+        if (!flight.still) {
+            state.light.time = std::nullopt;
             state.light.azimuth_deg += 360.0 * static_cast<double>(frame) / frames;
+        }
         state.animation_s += state.animation_speed * static_cast<double>(frame) / kFramesPerSecond;
         return state;
     }
@@ -151,6 +153,7 @@ private:
         if (!flight.still)
             state.light.azimuth_deg += 1.0;
         scene_.cast(state, true);
+        scene_.settle();
         scene_.draw(state, options_.width, options_.height, true);
     }
 

@@ -59,7 +59,7 @@ void draw_light(ViewerState& state, Activity& activity, const SunClock& clock)
         draw_clock(state.light, activity, state.clock_s_per_s, clock);
 }
 
-void draw_shadows(ViewerState& state, Activity& activity)
+void draw_shadows(ViewerState& state, Activity& activity, double done)
 {
     if (ImGui::BeginCombo("Technique", state.technique.c_str())) {
         for (const gl::ShadowTechniqueKind& kind : gl::shadow_techniques()) {
@@ -73,6 +73,13 @@ void draw_shadows(ViewerState& state, Activity& activity)
     }
     if (gl::shadow_technique_named(state.technique).has_soft_edges)
         ImGui::Checkbox("Soft edges", &state.soft);
+    if (gl::shadow_technique_named(state.technique).follows_course) {
+        int maps = static_cast<int>(state.light_maps);
+        ImGui::SliderInt("Shadow maps", &maps, 2, 48);
+        state.light_maps = static_cast<std::size_t>(std::clamp(maps, 2, 96));
+    }
+    if (done < 1.0)
+        text(fmt::format("{:.0f} % of the shadows made", 100.0 * done));
     ImGui::Checkbox("Mark what is wrong", &state.difference);
     ImGui::SameLine();
     activity.wants_count = ImGui::SmallButton("Count");
@@ -198,7 +205,7 @@ void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, c
     if (ImGui::CollapsingHeader("Light", ImGuiTreeNodeFlags_DefaultOpen))
         draw_light(state, activity, clock);
     if (ImGui::CollapsingHeader("Shadows", ImGuiTreeNodeFlags_DefaultOpen))
-        draw_shadows(state, activity);
+        draw_shadows(state, activity, figures.done);
     if (ImGui::CollapsingHeader("Look"))
         draw_look(state);
     if (ImGui::CollapsingHeader("Flight"))

@@ -18,6 +18,7 @@ struct FrameFigures {
     double cast_ms = 0.0; ///< of the last cast
     double cast_gpu_ms = 0.0;
     double draw_gpu_ms = 0.0;
+    double done = 1.0; ///< of the shadows, which may take several frames
     gl::DrawnMesh mesh;
 };
 

@@ -13,6 +13,9 @@
 namespace duskline::viewer {
 namespace {
 
+// What techniques that spread their work over frames may take of each.
+constexpr std::chrono::milliseconds kAdvanceInAFrame(2);
+
 std::array<float, 3> as_array(const Colour& colour)
 {
     return {colour.red, colour.green, colour.blue};
@@ -47,6 +50,23 @@ void Scene::choose_technique(const ViewerState& state)
     technique_name_ = state.technique;
     soft_ = state.soft;
     cast_light_ = std::nullopt;
+    course_asked_ = {};
+}
+
+void Scene::set_course(const ViewerState& state)
+{
+    if (!gl::shadow_technique_named(technique_name_).follows_course)
+        return;
+    CourseAsked asked = {.maps = state.light_maps};
+    if (state.light.time)
+        asked.day =
+            std::chrono::floor<std::chrono::days>(state.light.time->utc + state.light.time->utc_offset);
+    else
+        asked.altitude_deg = state.light.altitude_deg;
+    if (asked == course_asked_)
+        return;
+    technique_->set_course(clock_.course(state.light, state.light_maps));
+    course_asked_ = asked;
 }
 
 namespace {
@@ -97,6 +117,7 @@ FrameCost Scene::cast(const ViewerState& state, bool wait)
             gl::wait_until_done();
     });
     choose_technique(state);
+    set_course(state);
     FrameCost cost = cast_changes(changed, clock_.on_grid(state.light), wait);
     cost.ground_ms = has_cells(changed) ? ground_ms : 0.0;
     if (state.difference)
@@ -118,7 +139,7 @@ FrameCost Scene::cast_changes(const CellRectangle& changed, const DirectionalLig
     FrameCost cost;
     const bool ground_changed = has_cells(changed);
     const bool light_changed = !cast_light_ || !same(*cast_light_, light);
-    if (!ground_changed && !light_changed)
+    if (!ground_changed && !light_changed && technique_->done() >= 1.0)
         return cost;
     cost.cast_ms = milliseconds([&] {
         cost.cast_gpu_ms = time_pass(cast_timer_, wait, [&] {
@@ -126,10 +147,17 @@ FrameCost Scene::cast_changes(const CellRectangle& changed, const DirectionalLig
                 technique_->heights_changed(changed);
             if (light_changed)
                 technique_->cast(light);
+            technique_->advance(kAdvanceInAFrame);
         });
     });
     cast_light_ = light;
     return cost;
+}
+
+void Scene::settle()
+{
+    while (technique_ && technique_->done() < 1.0)
+        technique_->advance(kAdvanceInAFrame);
 }
 
 FrameCost Scene::draw(const ViewerState& state, std::size_t width, std::size_t height, bool wait)
@@ -212,6 +240,7 @@ ViewerState first_state(const ViewerOptions& options, const ViewedTerrain& viewe
     state.animation_s = options.animation_s.value_or(state.animation_s);
     state.animation_speed = options.animation_speed.value_or(state.animation_speed);
     state.soft = state.soft || options.soft;
+    state.light_maps = options.light_maps.value_or(state.light_maps);
     state.difference = state.difference || options.difference;
     clock.bring_up_to_date(state.light);
     return state;

@@ -9,6 +9,7 @@
 #include <duskline/gl/terrain_renderer.h>
 #include <duskline/gl/timer_query.h>
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ namespace duskline::viewer {
 /// the work was waited for.
 struct FrameCost {
     double ground_ms = 0.0; ///< heights, colours and mesh of ground that has changed; 0 when it has not
-    double cast_ms = 0.0;   ///< finding shadows; 0 when they were there
+    double cast_ms = 0.0;   ///< finding shadows, or going on with it; 0 when they were there
     std::optional<double> cast_gpu_ms;
     std::optional<double> draw_gpu_ms;
     gl::DrawnMesh mesh;
@@ -29,6 +30,15 @@ struct FrameCost {
 struct PassTimer {
     gl::TimerQuery query;
     bool ran = false;
+};
+
+/// What a light's course depends on: the day, or the altitude of its circle.
+struct CourseAsked {
+    std::optional<std::chrono::sys_days> day = {};
+    double altitude_deg = 0.0;
+    std::size_t maps = 0; ///< 0: no course was asked for
+
+    bool operator==(const CourseAsked&) const = default;
 };
 
 /// The terrain on the graphics card and the shadows on it, as a state says. Needs a current OpenGL context.
@@ -41,6 +51,12 @@ public:
     /// are those of the ground that is drawn next. With `wait` the cost is that of the work
     /// itself, else that of giving it to the card.
     FrameCost cast(const ViewerState& state, bool wait = false);
+
+    /// Goes on until the shadows asked for last are all there, and prepared what is to be prepared.
+    void settle();
+
+    /// How much of that is done, 0 to 1; below 1 the next frame will differ.
+    double done() const { return technique_ ? technique_->done() : 1.0; }
 
     /// Draws a picture of that size into the current framebuffer.
     FrameCost draw(const ViewerState& state, std::size_t width, std::size_t height, bool wait = false);
@@ -62,6 +78,7 @@ public:
 
 private:
     void choose_technique(const ViewerState& state);
+    void set_course(const ViewerState& state);
     gl::TerrainLight light_of(const ViewerState& state) const;
 
     FrameCost cast_changes(const CellRectangle& changed, const DirectionalLight& light, bool wait);
@@ -79,6 +96,7 @@ private:
     std::string technique_name_;
     bool soft_ = false;
     std::optional<DirectionalLight> cast_light_;
+    CourseAsked course_asked_;
     std::unique_ptr<gl::ExactUpload> truth_; ///< made when first needed
     std::optional<DirectionalLight> true_light_;
     CellRectangle edited_; ///< and not yet cast

@@ -1,6 +1,8 @@
 #include "sun_clock.h"
 
 #include <duskline/geometry/invalid_input.h>
+#include <duskline/light/day.h>
+#include <duskline/products/day_cycle.h>
 
 #include <algorithm>
 
@@ -33,6 +35,35 @@ DirectionalLight SunClock::on_grid(const ViewerLight& light) const
     return {.azimuth = wrapped_to_circle(Angle::from_degrees(light.azimuth_deg) + site_.map_to_grid_north),
             .altitude = Angle::from_degrees(light.altitude_deg),
             .angular_diameter = sun_size_};
+}
+
+LightCourse SunClock::course(const ViewerLight& light, std::size_t lights) const
+{
+    if (light.time && place_)
+        return day_course(*light.time, lights);
+    LightCourse circle = {.closed = true};
+    for (std::size_t i = 0; i < lights; ++i) {
+        ViewerLight turned = light;
+        turned.azimuth_deg = 360.0 * static_cast<double>(i) / static_cast<double>(lights);
+        circle.lights.push_back(on_grid(turned));
+    }
+    return circle;
+}
+
+LightCourse SunClock::day_course(const DateTime& time, std::size_t lights) const
+{
+    const auto local_day = std::chrono::floor<std::chrono::days>(time.utc + time.utc_offset);
+    const SunDay day =
+        sun_day(std::chrono::year_month_day(local_day), time.utc_offset, *place_, {.air = air_});
+    const TimeSpan span = {day.sunrise.value_or(day.midnights.from), day.sunset.value_or(day.midnights.to)};
+    LightCourse course;
+    for (const UtcTime moment : evenly_spread(span, lights, Spread::ends)) {
+        ViewerLight sun;
+        sun.time = DateTime{moment, time.utc_offset};
+        bring_up_to_date(sun);
+        course.lights.push_back(on_grid(sun));
+    }
+    return course;
 }
 
 ViewerLight dragged(const ViewerLight& light, double right_px, double up_px, double picture_height_px)

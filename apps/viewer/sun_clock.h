@@ -5,6 +5,7 @@
 #include "viewer_state.h"
 
 #include <duskline/light/directional_light.h>
+#include <duskline/light/light_course.h>
 #include <duskline/light/place.h>
 
 #include <optional>
@@ -27,7 +28,13 @@ public:
     /// The light as casters take it: azimuth from the grid's north.
     DirectionalLight on_grid(const ViewerLight& light) const;
 
+    /// The way of a light, in so many steps: by its time the day's sun, from sunrise to sunset (or from midnight to midnight
+    /// where it does neither), in even steps of time; without one once round the compass.
+    LightCourse course(const ViewerLight& light, std::size_t lights) const;
+
 private:
+    LightCourse day_course(const DateTime& time, std::size_t lights) const;
+
     cli::LightSite site_;
     Air air_;
     std::optional<Place> place_;

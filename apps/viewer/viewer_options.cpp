@@ -17,6 +17,7 @@ using cli::UsageError;
 constexpr auto kLook = "View";
 constexpr auto kHeadless = "Without a window";
 
+constexpr std::size_t kMostLightMaps = 96;
 constexpr std::size_t kMostPixels = 16384;
 
 void read_size(const std::string& typed, ViewerOptions& options)
@@ -60,6 +61,18 @@ void add_look(CLI::App& app, ViewerOptions& options)
         ->type_name("NAME")
         ->group(kLook);
     app.add_flag("--soft", options.soft, "soft edges of shadows, by techniques that have them")->group(kLook);
+    app.add_option_function<std::string>(
+           "--light-maps",
+           [&options](const std::string& typed) {
+               options.light_maps = cli::parse_count("--light-maps", typed, 2);
+               if (*options.light_maps > kMostLightMaps)
+                   throw UsageError(
+                       fmt::format("--light-maps must be at most {}, got {}", kMostLightMaps, typed));
+           },
+           "how many shadow maps the technique baked makes of a day, or of the compass for a light by angles")
+        ->type_name("N")
+        ->default_str("24")
+        ->group(kLook);
     app.add_flag("--difference", options.difference,
                  "mark what differs from the exact shadows: red where they are missing, blue where there are "
                  "too many")

@@ -23,6 +23,7 @@ struct ViewerOptions {
     std::size_t height = 768;
     std::string technique; ///< empty: of the state; "all" in a fly-by
     bool soft = false;
+    std::optional<std::size_t> light_maps;
     bool difference = false;
     std::string animation; ///< empty: of the state
     std::optional<double> animation_s;

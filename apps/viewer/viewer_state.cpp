@@ -179,6 +179,7 @@ ViewerState read_state(const std::string& path, const ViewerState& otherwise)
         read_light(*light, state.light);
     state.technique = technique_of(reader, state.technique);
     reader.flag("soft", state.soft);
+    reader.number("light_maps", state.light_maps, 2, 96);
     reader.flag("difference", state.difference);
     state.animation = animation_of(reader, state.animation);
     reader.number("animation_s", state.animation_s, -1e9, 1e9);
@@ -200,6 +201,7 @@ void write_state(const std::string& path, const ViewerState& state)
                       {"light", light},
                       {"technique", state.technique},
                       {"soft", state.soft},
+                      {"light_maps", state.light_maps},
                       {"difference", state.difference},
                       {"animation", state.animation},
                       {"animation_s", state.animation_s},

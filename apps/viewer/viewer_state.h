@@ -5,6 +5,7 @@
 #include <duskline/light/date_time.h>
 #include <duskline/view/camera_path.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -22,8 +23,9 @@ struct ViewerState {
     Camera camera;
     ViewerLight light;
     std::string technique = "exact";
-    bool soft = false;       ///< edges as wide as the sun's disc makes them, where the technique has them
-    bool difference = false; ///< mark what differs from the exact shadows
+    bool soft = false;           ///< edges as wide as the sun's disc makes them, where the technique has them
+    std::size_t light_maps = 24; ///< of a day, or of the compass, where the technique makes them; 2 to 96
+    bool difference = false;     ///< mark what differs from the exact shadows
     std::string animation{kNoMotion}; ///< of the ground
     double animation_s = 0.0;         ///< its second, and that of whatever else moves by itself
     double animation_speed = 1.0;     ///< seconds of it in a second

@@ -62,7 +62,8 @@ private:
     // Nothing moves by itself, and hands have been still for some frames.
     bool is_idle()
     {
-        const bool moves = activity_.clock_runs || activity_.replays || activity_.records || is_animated();
+        const bool moves = activity_.clock_runs || activity_.replays || activity_.records || is_animated()
+                           || scene_.done() < 1.0;
         const ImGuiIO& io = ImGui::GetIO();
         const bool held =
             ImGui::IsAnyMouseDown() || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
@@ -276,6 +277,7 @@ private:
         figures_.cast_gpu_ms = cast.cast_gpu_ms.value_or(figures_.cast_gpu_ms);
         figures_.draw_gpu_ms = drawn.draw_gpu_ms.value_or(figures_.draw_gpu_ms);
         figures_.mesh = drawn.mesh;
+        figures_.done = scene_.done();
     }
 
     // What cannot be done is said in the panel; the window stays.

@@ -3,7 +3,9 @@
 
 #include <duskline/casting/exact.h>
 #include <duskline/casting/smap.h>
+#include <duskline/casting/strider.h>
 #include <duskline/casting/sweep.h>
+#include <duskline/casting/visible_fraction.h>
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/framebuffer.h>
 #include <duskline/gl/read_back.h>
@@ -93,6 +95,13 @@ int brightness(const Pixels& picture, std::size_t row, std::size_t column)
     return picture(row, column)[0];
 }
 
+// All that is left to do, at once.
+void settle(ShadowTechnique& technique)
+{
+    for (int i = 0; technique.done() < 1.0 && i < 10000; ++i)
+        technique.advance(std::chrono::seconds(1));
+}
+
 using TerrainPicture = GlTest;
 
 TEST_F(TerrainPicture, HasNoCracks)
@@ -161,6 +170,7 @@ TEST_F(TerrainPicture, IsDarkInShadowAndOnlyThere)
         for (const double azimuth_deg : {0.0, 90.0, 180.0, 270.0}) {
             scene.light.light = {.azimuth = Angle::from_degrees(azimuth_deg), .altitude = 45_deg};
             technique->cast(scene.light.light);
+            settle(*technique);
             const Pixels picture = scene.picture(from_above(129, 6000.0), technique->shadow());
             const ShadowMask mask = cast_by_exact(wall, scene.light.light);
             for (const auto& [row, column] : {std::pair{30, 30},
@@ -338,6 +348,170 @@ TEST_F(Techniques, SilhouettesAnswerAsTheirCasterButForTies)
                                   cast_by_smap(terrain, {.azimuth = 33_deg, .altitude = altitude})))
                 << name << ", " << altitude.degrees();
         }
+    }
+}
+
+TEST_F(Techniques, StriderShowsWholeMasksOnlyAndCatchesUp)
+{
+    Terrain terrain = mountains(200, 170);
+    terrain.heights_m(40, 50) = kNaN;
+    Scene scene(terrain);
+    const auto technique = shadow_technique_named("strider").make(scene.sources, scene.textures, false);
+    const DirectionalLight morning = {.azimuth = 100_deg, .altitude = 12_deg};
+    const DirectionalLight noon = {.azimuth = 180_deg, .altitude = 40_deg};
+    const DirectionalLight evening = {.azimuth = 250_deg, .altitude = 9_deg};
+    const auto shown = [&] { return scene.renderer.lit_mask(technique->shadow()); };
+
+    technique->cast(morning); // there is nothing else to show
+    EXPECT_EQ(technique->done(), 1.0);
+    EXPECT_TRUE(same_mask(shown(), cast_by_strider(terrain, morning)));
+
+    technique->cast(noon);
+    EXPECT_LT(technique->done(), 1.0);
+    EXPECT_TRUE(same_mask(shown(), cast_by_strider(terrain, morning)));
+    settle(*technique);
+    EXPECT_TRUE(same_mask(shown(), cast_by_strider(terrain, noon)));
+
+    technique->cast(evening);
+    for (std::size_t row = 60; row < 80; ++row)
+        terrain.heights_m(row, 60) += 700.0f;
+    const CellRectangle changed = {.first_row = 60, .first_column = 60, .rows = 20, .columns = 1};
+    scene.textures.heights_changed(changed);
+    technique->heights_changed(changed);
+    settle(*technique);
+    EXPECT_TRUE(same_mask(shown(), cast_by_strider(terrain, evening)));
+}
+
+TEST_F(Techniques, StriderWorksNoLongerThanItIsToldAndGoesOnInTheNextFrame)
+{
+    const Terrain terrain = mountains(700, 700);
+    Scene scene(terrain);
+    const auto technique = shadow_technique_named("strider").make(scene.sources, scene.textures, false);
+    technique->cast({.azimuth = 100_deg, .altitude = 12_deg});
+    technique->cast({.azimuth = 110_deg, .altitude = 12_deg});
+    double before = technique->done();
+    int frames = 0;
+    for (; technique->done() < 1.0; ++frames) {
+        technique->advance(std::chrono::microseconds(0));
+        EXPECT_GT(technique->done(), before);
+        before = technique->done();
+    }
+    EXPECT_GT(frames, 5); // of some 65,000 cells each
+}
+
+TEST_F(Techniques, BakedMapsAreExactUnderTheirSuns)
+{
+    Terrain terrain = mountains(90, 110);
+    terrain.heights_m(40, 50) = kNaN;
+    Scene scene(terrain);
+    const auto technique = shadow_technique_named("baked").make(scene.sources, scene.textures, false);
+    const auto shown = [&] { return scene.renderer.lit_mask(technique->shadow()); };
+    const LightCourse day = {{{.azimuth = 90_deg, .altitude = 0_deg},
+                              {.azimuth = 120_deg, .altitude = 20_deg},
+                              {.azimuth = 180_deg, .altitude = 35_deg},
+                              {.azimuth = 250_deg, .altitude = 8_deg}}};
+    technique->set_course(day);
+    EXPECT_EQ(technique->done(), 0.0);
+    for (const DirectionalLight& sun : day.lights) {
+        technique->cast(sun);
+        EXPECT_TRUE(same_mask(shown(), cast_by_exact(terrain, sun)));
+    }
+    EXPECT_EQ(technique->done(), 1.0);
+
+    for (std::size_t row = 20; row < 40; ++row)
+        terrain.heights_m(row, 60) += 700.0f;
+    const CellRectangle changed = {.first_row = 20, .first_column = 60, .rows = 20, .columns = 1};
+    scene.textures.heights_changed(changed);
+    technique->heights_changed(changed);
+    EXPECT_TRUE(same_mask(shown(), cast_by_exact(terrain, day.lights[3]))); // what is shown, at once
+    EXPECT_EQ(technique->done(), 0.25);
+    settle(*technique);
+    technique->cast(day.lights[1]);
+    EXPECT_TRUE(same_mask(shown(), cast_by_exact(terrain, day.lights[1])));
+}
+
+TEST_F(Techniques, BakedMapsTurnIntoOneAnother)
+{
+    const Terrain terrain = mountains(150, 150);
+    Scene scene(terrain);
+    const auto technique = shadow_technique_named("baked").make(scene.sources, scene.textures, false);
+    const LightCourse course = {
+        {{.azimuth = 160_deg, .altitude = 12_deg}, {.azimuth = 200_deg, .altitude = 12_deg}}};
+    technique->set_course(course);
+    const TerrainView view = view_from({1500.0, -3300.0, 1900.0}, 10_deg, -35.0);
+    const auto picture_at = [&](double azimuth_deg) {
+        technique->cast({.azimuth = Angle::from_degrees(azimuth_deg), .altitude = 12_deg});
+        return scene.picture(view, technique->shadow());
+    };
+    const Pixels first = picture_at(160.0);
+    const Pixels middle = picture_at(180.0);
+    const Pixels last = picture_at(200.0);
+    std::size_t turning = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const auto [dark, bright] = std::minmax({first.values()[i][0], last.values()[i][0]});
+        ASSERT_GE(middle.values()[i][0] + 1, dark);
+        ASSERT_LE(middle.values()[i][0], bright + 1);
+        turning +=
+            bright > dark + 40 && middle.values()[i][0] > dark + 10 && middle.values()[i][0] < bright - 10;
+    }
+    EXPECT_GT(turning, 300U);
+    // Cells answer as the map that is nearer.
+    technique->cast({.azimuth = 172_deg, .altitude = 12_deg});
+    EXPECT_TRUE(
+        same_mask(scene.renderer.lit_mask(technique->shadow()), cast_by_exact(terrain, course.lights[0])));
+    technique->cast({.azimuth = 188_deg, .altitude = 12_deg});
+    EXPECT_TRUE(
+        same_mask(scene.renderer.lit_mask(technique->shadow()), cast_by_exact(terrain, course.lights[1])));
+}
+
+TEST_F(Techniques, SoftExactIsTheVisibleFraction)
+{
+    Terrain terrain = mountains(100, 120);
+    terrain.heights_m(40, 50) = kNaN;
+    Scene scene(terrain);
+    const DirectionalLight light = {.azimuth = 212_deg, .altitude = 12_deg, .angular_diameter = 2_deg};
+    const auto technique = shadow_technique_named("exact").make(scene.sources, scene.textures, true);
+    technique->cast(light);
+    ASSERT_EQ(technique->shadow().lookup, ShadowLookup::fraction);
+    const auto bytes = read_back<std::uint8_t>(*technique->shadow().texture);
+    const VisibleFraction fraction = visible_fraction(terrain, light, caster_named("exact"));
+    std::size_t half = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const float part = std::isnan(fraction.values()[i]) ? 1.0f : fraction.values()[i];
+        ASSERT_NEAR(static_cast<float>(bytes.values()[i]) / 255.0f, part, 0.0021f);
+        half += part > 0.1f && part < 0.9f ? 1U : 0U;
+    }
+    EXPECT_GT(half, 200U);
+}
+
+TEST_F(Techniques, SoftEdgesAreSeenAsSoftAsTheyAre)
+{
+    // A wall across the light; half-shadow behind it, wider the farther away (ShadowFactor.OfAWall...).
+    const Terrain wall =
+        make_wall({.grid = {.rows = 33, .columns = 301}, .height_m = 20.0, .offset_m = -100.0});
+    Scene scene(wall);
+    scene.light.light = {.azimuth = 270_deg, .altitude = 10_deg, .angular_diameter = 2_deg};
+    const TerrainView view = {
+        .camera = {{50.0 + 113.0, -16.0, 60.0}, 0_deg, Angle::from_degrees(-89.9), 40_deg},
+        .width = 128,
+        .height = 64};
+    for (const ShadowTechniqueKind& kind : shadow_techniques()) {
+        if (!kind.has_soft_edges)
+            continue;
+        const auto technique = kind.make(scene.sources, scene.textures, true);
+        technique->cast(scene.light.light);
+        const Pixels picture = scene.picture(view, technique->shadow());
+        const auto lit = [&](std::size_t column) { return brightness(picture, 32, column); };
+        EXPECT_GT(lit(127), lit(0) + 60) << kind.name;
+        std::size_t between = 0;
+        for (std::size_t column = 0; column < 128; ++column) {
+            if (column > 0) {
+                EXPECT_GE(lit(column) + 1, lit(column - 1)) << kind.name << ", " << column;
+            }
+            between += lit(column) > lit(0) + 5 && lit(column) < lit(127) - 5 ? 1U : 0U;
+        }
+        // 20 m cot(9 deg) - 20 m cot(11 deg) are 23 m; 43.7 m high, so 87 m wide, is the picture.
+        EXPECT_NEAR(static_cast<double>(between), 23.0 * 128.0 / 87.0, 10.0) << kind.name;
     }
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace duskline::viewer_test {
@@ -72,6 +73,29 @@ TEST_F(Viewer, ShowsShadowsOfTheTechniqueAsked)
     const double exact = brightness(with("exact"));
     EXPECT_GT(lit, exact + 5.0);
     EXPECT_NEAR(brightness(with("sweep")), exact, 3.0);
+}
+
+TEST_F(Viewer, BakesMapsOfTheCompassAndOfADay)
+{
+    const auto with = [&](const std::string& technique, Arguments light) {
+        light.insert(light.end(), {"--technique", technique});
+        return rendered(technique + light[1] + ".png", light);
+    };
+    const Arguments on_a_map = {"--azimuth", "210", "--altitude", "6"};
+    EXPECT_EQ(with("baked", on_a_map), with("exact", on_a_map));
+    Arguments between = {"--azimuth", "202", "--altitude", "6"};
+    const auto exact = with("exact", between);
+    between.insert(between.end(), {"--light-maps", "12"});
+    EXPECT_NE(with("baked", between), exact);
+    const Arguments evening = {"--time", "2026-06-21T18:00-10:00", "--at", "-155.5,19.8"};
+    const auto baked_evening = with("baked", evening);
+    const auto exact_evening = with("exact", evening);
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < exact_evening.size(); ++i)
+        differing += std::abs(baked_evening[i] - exact_evening[i]) > 20.0f ? 1U : 0U;
+    EXPECT_LT(differing, exact_evening.size() / 20);
+    expect_error({"dem.tif", "--light-maps", "1", "--render", "p.png"}, 2, "--light-maps");
+    expect_error({"dem.tif", "--light-maps", "97", "--render", "p.png"}, 2, "at most 96");
 }
 
 TEST_F(Viewer, BeginsWithASavedStateAndOptionsGoBefore)

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <duskline/casting/terrain_shadows.h>
+#include <duskline/gl/mask_upload.h>
 #include <duskline/gl/shadow_technique.h>
-
-#include <cstdint>
-#include <vector>
 
 namespace duskline::gl {
 
@@ -22,10 +20,25 @@ public:
     const ShadowMask& mask() const { return shadows_.mask(); }
 
 private:
-    void upload();
-
     TerrainShadows shadows_;
-    Grid<std::uint8_t> bytes_;
+    MaskUpload upload_;
+    Texture texture_;
+};
+
+/// The visible part of the light's disc (casting/visible_fraction.h, by `exact`) of every cell, uploaded in steps of 1
+/// in 255. Cost: that of `visible_fraction`, whole after every edit, and a byte a cell.
+class SoftExactUpload : public ShadowTechnique {
+public:
+    explicit SoftExactUpload(const TerrainTextures& terrain);
+
+    void cast(const DirectionalLight& light) override;
+    void heights_changed(const CellRectangle&) override { cast(light_); }
+    TerrainShadow shadow() const override { return {ShadowLookup::fraction, &texture_}; }
+
+private:
+    HeightField field_;
+    DirectionalLight light_;
+    MaskUpload upload_;
     Texture texture_;
 };
 

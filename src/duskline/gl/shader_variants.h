@@ -25,6 +25,8 @@ inline const std::vector<ShaderVariant>& shader_variants()
         {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "4"}, {"DUSKLINE_SMAP_LANES", "1"}}},
         {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "5"}, {"DUSKLINE_SMAP_LANES", "4"}}},
         {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "6"}, {"DUSKLINE_SMAP_LANES", "1"}}},
+        {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "7"}}},
+        {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "8"}}},
         {"planet.frag.glsl", {{"PLANET_SHADOW", "0"}}},
         {"planet.frag.glsl", {{"PLANET_SHADOW", "2"}}},
         {"planet.vert.glsl"},
@@ -57,6 +59,8 @@ inline const std::vector<ShaderVariant>& shader_variants()
         {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "4"}, {"DUSKLINE_SMAP_LANES", "1"}}},
         {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "5"}, {"DUSKLINE_SMAP_LANES", "4"}}},
         {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "6"}, {"DUSKLINE_SMAP_LANES", "1"}}},
+        {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "7"}}},
+        {"terrain.frag.glsl", {{"SHADOW_LOOKUP", "8"}}},
         {"terrain.vert.glsl"},
     };
     return variants;

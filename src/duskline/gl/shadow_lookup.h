@@ -15,14 +15,18 @@ enum class ShadowLookup {
     silhouettes, ///< a silhouette map, which every pixel looks itself up in
     silhouettes_by_four, ///< the same with four lines in a texel (NextVSearch::parallel_quad)
     lines,               ///< no map: every pixel looks at every line on the way to the light
+    two_masks,           ///< as mask, one turning into the other
+    fraction,            ///< r8, how much of the light's disc is seen
 };
-inline constexpr int kShadowLookups = 7;
+inline constexpr int kShadowLookups = 9;
 
 /// The shadows of a terrain as a technique has left them. What it points to is the technique's.
 struct TerrainShadow {
     ShadowLookup lookup = ShadowLookup::none;
-    const Texture* texture = nullptr;              ///< of mask, heights, limbs: a texel for each cell
+    const Texture* texture = nullptr;              ///< of mask, heights, limbs, ...: a texel for each cell
     const SilhouettePasses* silhouettes = nullptr; ///< of silhouettes, silhouettes_by_four, lines
+    const Texture* later = nullptr;                ///< of two_masks the second
+    float later_share = 0.0f;                      ///< how far the first has turned into it, 0 to 1
 };
 
 } // namespace duskline::gl

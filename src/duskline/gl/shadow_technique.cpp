@@ -1,6 +1,8 @@
 #include <duskline/casting/light_frame.h>
 #include <duskline/geometry/invalid_input.h>
+#include <duskline/gl/baked_shadows.h>
 #include <duskline/gl/exact_upload.h>
+#include <duskline/gl/gradual_upload.h>
 #include <duskline/gl/shadow_sweep.h>
 #include <duskline/gl/shadow_technique.h>
 #include <duskline/gl/silhouette_passes.h>
@@ -16,6 +18,7 @@ namespace {
 
 class NoShadows : public ShadowTechnique {
 public:
+    explicit NoShadows(const TerrainTextures&) {}
     void cast(const DirectionalLight&) override {}
     void heights_changed(const CellRectangle&) override {}
     TerrainShadow shadow() const override { return {}; }
@@ -117,33 +120,74 @@ std::unique_ptr<ShadowTechnique> make_silhouette_shadows(const ShaderSources& so
 
 constexpr auto kSilhouetteSource = "Sakalauskas, Hybrid Terrain Shadow Ray Casting, WSCG 2008";
 
+constexpr auto kStriderSource = "Strahan, the Strider Technique, 2004";
+
+std::unique_ptr<ShadowTechnique> make_exact(const ShaderSources&, const TerrainTextures& terrain, bool soft)
+{
+    if (soft)
+        return std::make_unique<SoftExactUpload>(terrain);
+    return std::make_unique<ExactUpload>(terrain);
+}
+
+// Those that need nothing but the terrain.
+template <typename Technique>
+std::unique_ptr<ShadowTechnique> make_of_terrain(const ShaderSources&, const TerrainTextures& terrain, bool)
+{
+    return std::make_unique<Technique>(terrain);
+}
+
+std::unique_ptr<ShadowTechnique> make_swept(const ShaderSources& sources, const TerrainTextures& terrain,
+                                            bool soft)
+{
+    return std::make_unique<SweptShadows>(sources, terrain, soft);
+}
+
 constexpr std::array kTechniques = {
-    ShadowTechniqueKind{"none", "no shadows: what everything else costs", "", false,
-                        [](const ShaderSources&, const TerrainTextures&, bool)
-                            -> std::unique_ptr<ShadowTechnique> { return std::make_unique<NoShadows>(); }},
+    ShadowTechniqueKind{.name = "none",
+                        .description = "no shadows: what everything else costs",
+                        .source = "",
+                        .make = make_of_terrain<NoShadows>},
+    ShadowTechniqueKind{.name = "exact",
+                        .description = "the caster exact on the processor, its mask uploaded",
+                        .source = "casting/exact.h",
+                        .has_soft_edges = true,
+                        .make = make_exact},
+    ShadowTechniqueKind{.name = "sweep",
+                        .description = "the caster sweep in compute passes on the graphics card",
+                        .source = "casting/sweep.h",
+                        .has_soft_edges = true,
+                        .make = make_swept},
+    ShadowTechniqueKind{.name = "full-scan",
+                        .description = "every line on the way to the light, for every pixel",
+                        .source = kSilhouetteSource,
+                        .make =
+                            make_silhouette_shadows<NextVSearch::binary, SilhouetteShadows::LookUp::lines>},
+    ShadowTechniqueKind{.name = "smap-binary",
+                        .description = "silhouette map, binary search",
+                        .source = kSilhouetteSource,
+                        .make = make_silhouette_shadows<NextVSearch::binary>},
+    ShadowTechniqueKind{.name = "smap-quad",
+                        .description = "silhouette map, quad search",
+                        .source = kSilhouetteSource,
+                        .make = make_silhouette_shadows<NextVSearch::quad>},
+    ShadowTechniqueKind{.name = "smap-parallel",
+                        .description = "silhouette map, quad search of four lines at a time",
+                        .source = kSilhouetteSource,
+                        .make = make_silhouette_shadows<NextVSearch::parallel_quad>},
     ShadowTechniqueKind{
-        "exact", "the caster exact on the processor, its mask uploaded", "casting/exact.h", false,
-        [](const ShaderSources&, const TerrainTextures& terrain, bool) -> std::unique_ptr<ShadowTechnique> {
-            return std::make_unique<ExactUpload>(terrain);
-        }},
-    ShadowTechniqueKind{"sweep", "the caster sweep in compute passes on the graphics card", "casting/sweep.h",
-                        true,
-                        [](const ShaderSources& sources, const TerrainTextures& terrain,
-                           bool soft) -> std::unique_ptr<ShadowTechnique> {
-                            return std::make_unique<SweptShadows>(sources, terrain, soft);
-                        }},
-    ShadowTechniqueKind{"full-scan", "every line on the way to the light, for every pixel", kSilhouetteSource,
-                        false,
-                        make_silhouette_shadows<NextVSearch::binary, SilhouetteShadows::LookUp::lines>},
-    ShadowTechniqueKind{"smap-binary", "silhouette map, binary search", kSilhouetteSource, false,
-                        make_silhouette_shadows<NextVSearch::binary>},
-    ShadowTechniqueKind{"smap-quad", "silhouette map, quad search", kSilhouetteSource, false,
-                        make_silhouette_shadows<NextVSearch::quad>},
-    ShadowTechniqueKind{"smap-parallel", "silhouette map, quad search of four lines at a time",
-                        kSilhouetteSource, false, make_silhouette_shadows<NextVSearch::parallel_quad>},
-    ShadowTechniqueKind{
-        "smap-cells", "the same map, looked up for every cell and not for every pixel", kSilhouetteSource,
-        false, make_silhouette_shadows<NextVSearch::parallel_quad, SilhouetteShadows::LookUp::cells>},
+        .name = "smap-cells",
+        .description = "the same map, looked up for every cell and not for every pixel",
+        .source = kSilhouetteSource,
+        .make = make_silhouette_shadows<NextVSearch::parallel_quad, SilhouetteShadows::LookUp::cells>},
+    ShadowTechniqueKind{.name = "strider",
+                        .description = "the caster strider on the processor, a part in every frame",
+                        .source = kStriderSource,
+                        .make = make_of_terrain<GradualUpload>},
+    ShadowTechniqueKind{.name = "baked",
+                        .description = "shadow maps over the day, found before and blended",
+                        .source = "light maps of a day",
+                        .follows_course = true,
+                        .make = make_of_terrain<BakedShadows>},
 };
 
 } // namespace

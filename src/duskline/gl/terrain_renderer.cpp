@@ -14,7 +14,7 @@ namespace duskline::gl {
 
 namespace {
 
-enum Unit : int { mesh_heights, ground, heights, shadow, truth, silhouettes }; // which take three
+enum Unit : int { mesh_heights, ground, heights, shadow, truth, silhouettes, later = silhouettes + 3 };
 
 constexpr std::size_t kIndicesPerPatch = 6 * kPatchSquares * kPatchSquares;
 constexpr std::size_t kMostLevels = 24; // of the array in terrain.vert.glsl: grids of up to 2^28 cells a side
@@ -172,8 +172,12 @@ void TerrainRenderer::set_lookup(const Program& program, const TerrainShadow& sh
     terrain_.heights().bind(Unit::heights);
     if (shadow.texture != nullptr)
         shadow.texture->bind(Unit::shadow);
+    if (shadow.later != nullptr)
+        shadow.later->bind(Unit::later);
     if (shadow.silhouettes != nullptr)
-        shadow.silhouettes->bind(program, Unit::silhouettes);
+        shadow.silhouettes->bind(program, Unit::silhouettes); // takes three
+    program.set("later_shadow", static_cast<int>(Unit::later));
+    program.set("later_share", shadow.later_share);
     program.set("heights_m", static_cast<int>(Unit::heights));
     program.set("shadow", static_cast<int>(Unit::shadow));
     program.set("shadow_drop_m", static_cast<float>(shadow_drop_m));

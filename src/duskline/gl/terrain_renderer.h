@@ -44,7 +44,7 @@ struct DrawnMesh {
 /// Draws terrains in perspective: a mesh as fine as the picture needs (view/level_of_detail.h) under a sun and a sky as
 /// in products/relief.h, in shadows that some technique has found.
 ///
-/// Takes texture units 0 to 7 and shader storage 0, and leaves its own there. Changes depth test and face culling.
+/// Takes texture units 0 to 8 and shader storage 0, and leaves its own there. Changes depth test and face culling.
 class TerrainRenderer {
 public:
     /// Both must outlive it. Throws ShaderError.

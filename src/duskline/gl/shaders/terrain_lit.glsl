@@ -7,6 +7,8 @@
 //   3             two of them, of the disc's two edges
 //   4, 5          a silhouette map; a place is asked for itself, not the cells around it
 //   6             nothing: every line on the way to the light is looked at, for every place
+//   7             two masks, one turning into the other
+//   8             the visible part of the disc, 0 to 1
 
 #include "four_cells.glsl"
 #include "terrain_shadow.glsl" // disc_above
@@ -24,7 +26,7 @@ vec2 corner_of_four(vec2 cell)
     return (floor(cell) + 1.0) / vec2(textureSize(heights_m, 0));
 }
 
-#if SHADOW_LOOKUP >= 4
+#if SHADOW_LOOKUP >= 4 && SHADOW_LOOKUP <= 6
 #include "smap_shadow.glsl"
 
 // In 256 parts of a cell, so that a place on a line is on it, whatever its rounding: lines do not shade themselves.
@@ -70,16 +72,29 @@ bool is_lit(ivec2 at)
 }
 
 #else
+#define IS_MASK (SHADOW_LOOKUP == 1 || SHADOW_LOOKUP == 7 || SHADOW_LOOKUP == 8)
 uniform sampler2D shadow;
+uniform sampler2D later_shadow;
+uniform float later_share;
 uniform float shadow_drop_m; // the height a shadow loses over the diagonal of a cell
 
-// How far the ground of four cells lies above their shadows: 1 or more far above, -1 far below. Only what a shadow
-// loses over a cell counts, so that between cells it changes sign where the edge is. Of masks their answers, 1 or -1.
+#if IS_MASK
+// What a mask says between the four cells around, 0 to 1; those without data do not count.
+float mask_between(sampler2D mask, vec2 cell)
+{
+    vec2 corner = corner_of_four(cell);
+    vec4 answers = textureGather(mask, corner);
+    if (all(equal(answers, answers.yzwx))) // nearly everywhere
+        return answers.x;
+    vec4 shares = shares_of_known(shares_of_four(fract(cell)), textureGather(heights_m, corner));
+    return dot(shares, vec4(1.0)) > 0.0 ? mean_of_four(answers, shares) : 1.0;
+}
+#else
+// How far the ground lies above its shadow: 1 or more far above, -1 far below. Only what a shadow loses over a cell
+// counts, so that between cells it changes sign where the edge is.
 vec4 clearances_of_four(vec2 corner, vec4 ground_m)
 {
-#if SHADOW_LOOKUP == 1
-    return 2.0 * textureGather(shadow, corner) - 1.0;
-#elif SHADOW_LOOKUP == 2
+#if SHADOW_LOOKUP == 2
     return clamp((ground_m - textureGather(shadow, corner)) / shadow_drop_m, -1.0, 1.0);
 #else
     vec4 lower_m = textureGather(shadow, corner, 0);
@@ -96,26 +111,33 @@ vec4 clearances_of_four(vec2 corner, vec4 ground_m)
 float clearance_between(vec2 cell)
 {
     vec2 corner = corner_of_four(cell);
-#if SHADOW_LOOKUP == 1
-    vec4 answers = textureGather(shadow, corner);
-    if (all(equal(answers, answers.yzwx))) // nearly everywhere
-        return 2.0 * answers.x - 1.0;
-#endif
     vec4 ground_m = textureGather(heights_m, corner);
     vec4 shares = shares_of_known(shares_of_four(fract(cell)), ground_m);
-    if (dot(shares, vec4(1.0)) <= 0.0)
-        return 1.0;
-    return mean_of_four(clearances_of_four(corner, ground_m), shares);
+    return dot(shares, vec4(1.0)) > 0.0 ? mean_of_four(clearances_of_four(corner, ground_m), shares) : 1.0;
+}
+#endif
+
+// -1 in shadow, 1 in the light -> 0, 1; between them an edge as wide as a pixel that takes `width` cells.
+float sharpened(float clearance, float width)
+{
+    float soft = clamp(width, 0.02, 1.0);
+    return smoothstep(-soft, soft, clearance);
 }
 
-// At one place; `width` is how many cells a pixel takes. An edge is as wide as a pixel.
+// At one place.
 float lit_at(vec2 cell, float width)
 {
-#if SHADOW_LOOKUP == 3
-    return disc_above(-clearance_between(cell));
+#if SHADOW_LOOKUP == 1
+    return sharpened(2.0 * mask_between(shadow, cell) - 1.0, width);
+#elif SHADOW_LOOKUP == 7
+    return mix(sharpened(2.0 * mask_between(shadow, cell) - 1.0, width),
+               sharpened(2.0 * mask_between(later_shadow, cell) - 1.0, width), later_share);
+#elif SHADOW_LOOKUP == 8
+    return mask_between(shadow, cell);
+#elif SHADOW_LOOKUP == 2
+    return sharpened(clearance_between(cell), width);
 #else
-    float soft = clamp(width, 0.02, 1.0);
-    return smoothstep(-soft, soft, clearance_between(cell));
+    return disc_above(-clearance_between(cell));
 #endif
 }
 
@@ -136,8 +158,10 @@ float lit_over(vec2 cell, vec2 across, vec2 down)
 // The yes or no of a cell, as a mask has it.
 bool is_lit(ivec2 at)
 {
-#if SHADOW_LOOKUP == 1
+#if SHADOW_LOOKUP == 1 || SHADOW_LOOKUP == 8
     return texelFetch(shadow, at, 0).r > 0.5;
+#elif SHADOW_LOOKUP == 7
+    return mix(texelFetch(shadow, at, 0).r, texelFetch(later_shadow, at, 0).r, later_share) > 0.5;
 #elif SHADOW_LOOKUP == 2
     return texelFetch(heights_m, at, 0).r >= texelFetch(shadow, at, 0).r;
 #else
