@@ -402,8 +402,11 @@ private:
             return;
         const double cell = beam.cell_at(line);
         const double before = beam.cell_at(line - direction);
-        const double between = std::floor(std::max(cell, before));
-        if (between < std::min(cell, before) || between < 0.0 || between > kLast)
+        const double far = std::max(cell, before);
+        if (far < 0.0)
+            return;
+        const auto between = static_cast<std::int32_t>(far);
+        if (between < std::min(cell, before) || between > kLast)
             return;
         const double at = (between - beam.cell0) / beam.cells_per_line;
         const double ahead = (line - at) * direction; // at a sample of the line it is ground of the line

@@ -40,7 +40,7 @@ struct PlanetShadows::Task {
 };
 
 PlanetShadows::PlanetShadows(const Globe& globe, const Vector3& to_sun)
-    : globe_(globe), shown_{light_axis(to_sun), {}, {}}, wanted_(shown_.axis)
+    : globe_(globe), shown_{light_axis(to_sun), {}, {}, false}, wanted_(shown_.axis)
 {
     require_valid(globe);
 }
@@ -49,21 +49,31 @@ void PlanetShadows::insert(const PlanetTile& tile, std::shared_ptr<const TileHei
 {
     assert(heights != nullptr);
     tiles_[tile] = {std::move(heights), ++last_number_};
-    shown_.order.emplace(light_rank(shown_.axis, tile), tile);
-    if (coming_)
-        coming_->order.emplace(light_rank(coming_->axis, tile), tile);
+    for_generations(
+        [&](Generation& generation) { generation.order.emplace(light_rank(generation.axis, tile), tile); });
 }
 
 void PlanetShadows::erase(const PlanetTile& tile)
 {
-    const auto forget = [&](Generation& generation) {
+    if (tiles_.erase(tile) == 0)
+        return;
+    for_generations([&](Generation& generation) {
         generation.order.erase(light_rank(generation.axis, tile));
         generation.results.erase(tile);
+    });
+}
+
+// Of which none is whole then.
+template <typename Change>
+void PlanetShadows::for_generations(const Change& change)
+{
+    const auto apply = [&](Generation& generation) {
+        change(generation);
+        generation.whole = false;
     };
-    tiles_.erase(tile);
-    forget(shown_);
+    apply(shown_);
     if (coming_)
-        forget(*coming_);
+        apply(*coming_);
 }
 
 void PlanetShadows::set_sun(const Vector3& to_sun)
@@ -79,7 +89,7 @@ std::size_t PlanetShadows::update(std::size_t tiles, const Execution& execution)
     // Tiles that have just come get half, so that both the new ground and the new sun appear in the end.
     const std::size_t done = work_on(shown_, tiles / 2, true, execution);
     const std::size_t coming = work_on(*coming_, tiles - done, false, execution);
-    if (is_whole(*coming_))
+    if (coming_->whole)
         show_coming();
     return done + coming;
 }
@@ -96,7 +106,7 @@ void PlanetShadows::settle(const Execution& execution)
 
 bool PlanetShadows::settled() const
 {
-    return !coming_ && is_same(shown_.axis, wanted_) && is_whole(shown_);
+    return !coming_ && is_same(shown_.axis, wanted_) && shown_.whole;
 }
 
 std::shared_ptr<const TileShadow> PlanetShadows::shadow_of(const PlanetTile& tile) const
@@ -119,7 +129,7 @@ void PlanetShadows::show_coming()
 
 PlanetShadows::Generation PlanetShadows::begun_for(const LightAxis& axis) const
 {
-    Generation generation = {axis, {}, {}};
+    Generation generation = {axis, {}, {}, false};
     for (const auto& [tile, ground] : tiles_)
         generation.order.emplace(light_rank(axis, tile), tile);
     return generation;
@@ -183,11 +193,6 @@ std::vector<PlanetShadows::Task> PlanetShadows::ready_tasks(const Generation& ge
     return ready;
 }
 
-bool PlanetShadows::is_whole(const Generation& generation) const
-{
-    return ready_tasks(generation, 1, false).empty();
-}
-
 void PlanetShadows::finish(Generation& generation, const Task& task, TileShadow shadow)
 {
     Result& result = generation.results[task.tile];
@@ -204,7 +209,7 @@ std::size_t PlanetShadows::work_on(Generation& generation, std::size_t most, boo
 {
     std::size_t done = 0;
     const auto all = static_cast<double>(generation.order.size());
-    while (done < most) {
+    while (done < most && !generation.whole) {
         const std::vector<Task> tasks = ready_tasks(generation, most - done, missing_only);
         if (tasks.empty())
             break;
@@ -220,6 +225,8 @@ std::size_t PlanetShadows::work_on(Generation& generation, std::size_t most, boo
         if (execution.progress && !execution.progress(std::min(static_cast<double>(done) / all, 1.0)))
             throw Cancelled();
     }
+    if (!missing_only)
+        generation.whole = generation.whole || ready_tasks(generation, 1, false).empty();
     return done;
 }
 

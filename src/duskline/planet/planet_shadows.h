@@ -75,9 +75,12 @@ private:
         LightAxis axis;
         std::map<LightRank, PlanetTile> order;
         std::unordered_map<PlanetTile, Result> results;
+        bool whole = false; ///< all results are there and up to date
     };
     struct Task;
 
+    template <typename Change>
+    void for_generations(const Change& change);
     Generation begun_for(const LightAxis& axis) const;
     std::optional<PlanetTile> nearest_ancestor(const PlanetTile& tile) const;
     Task task_for(const Generation& generation, const PlanetTile& tile) const;
@@ -85,7 +88,6 @@ private:
     void finish(Generation& generation, const Task& task, TileShadow shadow);
     std::size_t work_on(Generation& generation, std::size_t most, bool missing_only,
                         const Execution& execution);
-    bool is_whole(const Generation& generation) const;
     void begin_wanted();
     void show_coming();
 
