@@ -31,19 +31,19 @@ struct CubeFaceAxes {
     Vector3 up;
 };
 
+inline constexpr std::array<CubeFaceAxes, kCubeFaces> kCubeFaceAxes = {{
+    {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}},
+    {{0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}},
+    {{-1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, {0.0, 0.0, 1.0}},
+    {{0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}},
+    {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}},
+    {{0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}},
+}};
+
 /// Of a face below kCubeFaces.
-constexpr CubeFaceAxes axes_of_face(std::uint32_t face)
+constexpr const CubeFaceAxes& axes_of_face(std::uint32_t face)
 {
-    constexpr Vector3 x = {1.0, 0.0, 0.0};
-    constexpr Vector3 y = {0.0, 1.0, 0.0};
-    constexpr Vector3 z = {0.0, 0.0, 1.0};
-    constexpr std::array<CubeFaceAxes, kCubeFaces> axes = {{{x, y, z},
-                                                            {y, x * -1.0, z},
-                                                            {x * -1.0, y * -1.0, z},
-                                                            {y * -1.0, x, z},
-                                                            {z, y, x * -1.0},
-                                                            {z * -1.0, y, x}}};
-    return axes.at(face);
+    return kCubeFaceAxes[face];
 }
 
 /// A place on a face. Outside -1 to 1 it lies beyond the face's edge; every u and v has a direction.
@@ -57,7 +57,7 @@ struct FacePlace {
 /// Unit vector.
 inline Vector3 direction_of(std::uint32_t face, FacePlace place)
 {
-    const CubeFaceAxes axes = axes_of_face(face);
+    const CubeFaceAxes& axes = axes_of_face(face);
     return normalized(axes.axis + axes.right * place.u + axes.up * place.v);
 }
 
@@ -65,7 +65,7 @@ inline Vector3 direction_of(std::uint32_t face, FacePlace place)
 /// (`dot(direction, axis) > 0`).
 inline FacePlace place_on_face(std::uint32_t face, const Vector3& direction)
 {
-    const CubeFaceAxes axes = axes_of_face(face);
+    const CubeFaceAxes& axes = axes_of_face(face);
     const double ahead = dot(direction, axes.axis);
     return {dot(direction, axes.right) / ahead, dot(direction, axes.up) / ahead};
 }

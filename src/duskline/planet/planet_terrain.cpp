@@ -4,8 +4,9 @@
 //            |--- sources -----|~~~~~~~ made up ~~~~~~|- - - - - - |     a band's features span 4 samples of its level
 //
 // A source knows nothing below two of its cells, so there bands begin. How high they are is known for real ground only
-// statistically: relief grows with the size of features like a power of it, the exponent (Hurst's) about 0.5 for hills
-// kilometres wide and close to 1 (constant slopes) below.
+// statistically: relief grows with the size of features like a power of it, the exponent (Hurst's) about 0.25 for hills
+// kilometres wide and close to 1 (constant slopes) below. Where a band is high the next is higher: crests are rugged and
+// hollows smooth (F. K. Musgrave, hybrid multifractals, in Texturing and Modeling, 1994).
 
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/planet/made_up_detail.h>
@@ -19,9 +20,17 @@ namespace duskline {
 
 namespace {
 
-constexpr double kWideExponent = 0.5;
-constexpr double kNarrowExponent = 0.95;
+constexpr double kWideExponent = 0.25;
+constexpr double kNarrowExponent = 0.92;
 constexpr double kNarrowBelow_m = 2000.0;
+
+// The height of a band at which its roughness, measured as that of a source is, is the source's.
+constexpr double kHeightOverRoughness = 3.0;
+
+// Of the next band, where a band is at 0, at least, and what the band adds.
+constexpr double kUsualRuggedness = 0.6;
+constexpr double kLeastRuggedness = 0.2;
+constexpr double kRuggednessOfHeight = 1.2;
 
 // Samples of a level that a band's feature spans (see DetailBand).
 constexpr double kFeatureSamples = 4.0;
@@ -76,7 +85,8 @@ PlanetTerrain::Source PlanetTerrain::prepared(PlanetSource source, const Executi
         const double feature_m = kFeatureSamples * spacing;
         result.blocks.at(level) = result.levels.level_of_spacing(spacing, globe_);
         const bool made_up = feature_m <= known_m && level <= deepest_level_;
-        result.bands.at(level) = made_up ? options_.detail * share_of_relief(feature_m, known_m) : 0.0;
+        result.bands.at(level) =
+            made_up ? options_.detail * kHeightOverRoughness * share_of_relief(feature_m, known_m) : 0.0;
     }
     return result;
 }
@@ -125,9 +135,12 @@ struct PlanetTerrain::Sampler {
         double height_m = lay_sources(lon_lat_of(terrain.globe_, direction));
         const double share = share_of_detail(height_m);
         measured = true;
+        double ruggedness = 1.0;
         for (std::uint32_t band = terrain.first_band_; band <= level && share > 0.0; ++band)
             if (heights_of_bands[band] > 0.0) {
-                height_m += share * heights_of_bands[band] * bands[band].at(direction);
+                const double rise = bands[band].at(direction);
+                height_m += share * ruggedness * heights_of_bands[band] * rise;
+                ruggedness = std::clamp(kUsualRuggedness + kRuggednessOfHeight * rise, kLeastRuggedness, 1.0);
                 measured = false;
             }
         return static_cast<float>(terrain.options_.sea ? std::max(0.0, height_m) : height_m);

@@ -97,7 +97,7 @@ TileNeighbour neighbour_of(const PlanetTile& tile, TileEdge edge)
         result.edge = static_cast<TileEdge>(opposite);
         return result;
     }
-    const CubeFaceAxes axes = axes_of_face(tile.face);
+    const CubeFaceAxes& axes = axes_of_face(tile.face);
     const Vector3 beyond = (of_u(edge) ? axes.right : axes.up) * (low ? -1.0 : 1.0);
     const std::uint32_t face = face_of(beyond);
     const std::int64_t side = std::int64_t{1} << tile.level;
