@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -157,6 +158,50 @@ TEST(PlanetShadows, OfFineTilesAmongCoarseOnesAreNearThoseOfRaysOverFineGround)
                     is_lit(shadows, tile, row, column) != is_lit(rays, tile, row, column) ? 1U : 0U;
             }
     EXPECT_LT(share.value(), 0.03);
+}
+
+// A tile, those across its edges, those across theirs and so on, and all ancestors.
+std::set<PlanetTile> tiles_around_tile(const PlanetTile& tile, int rings)
+{
+    std::set<PlanetTile> tiles = {tile};
+    for (int ring = 0; ring < rings; ++ring)
+        for (const PlanetTile& inner : std::set<PlanetTile>(tiles))
+            for (const TileEdge edge : kTileEdges)
+                tiles.insert(neighbour_of(inner, edge).tile);
+    for (const PlanetTile& fine : std::set<PlanetTile>(tiles))
+        for (std::uint32_t level = 0; level < fine.level; ++level)
+            tiles.insert(ancestor_of(fine, level));
+    return tiles;
+}
+
+TEST(PlanetShadows, AreThoseOfRaysOnFineTilesAroundCornersAndEdgesOfTheCube)
+{
+    Share share;
+    std::size_t dark = 0;
+    for (const Vector3& place : {Vector3{1.0, 1.0, 1.0}, Vector3{-1.0, 0.2, 1.0}}) {
+        const PlanetTile middle = place_in_tile(place, 4).tile;
+        const LocalFrame frame = local_frame(kWgs84, centre_direction(middle));
+        const Vector3 sun = frame.up * 0.02 + frame.east * 0.3 - frame.north * 0.9;
+        PlanetShadows shadows(kWgs84, sun);
+        for (const PlanetTile& tile : tiles_around_tile(middle, 2))
+            shadows.insert(tile, mountains().shared_heights_of(tile));
+        shadows.settle();
+        const PlanetRays rays(mountains().at_level(4), sun);
+        for (const PlanetTile& tile : tiles_around_tile(middle, 1)) {
+            if (tile.level < 4)
+                continue;
+            for (std::int32_t row = 0; row <= kTileSquares; row += 8)
+                for (std::int32_t column = 0; column <= kTileSquares; column += 8) {
+                    const bool lit = is_lit(rays, tile, row, column);
+                    ++share.samples;
+                    share.wrong += is_lit(shadows, tile, row, column) != lit ? 1U : 0U;
+                    dark += lit ? 0U : 1U;
+                }
+        }
+    }
+    EXPECT_GT(dark, share.samples / 20);
+    EXPECT_LT(dark, share.samples);
+    EXPECT_LT(share.value(), 0.003) << share.wrong << " of " << share.samples << ", " << dark << " dark";
 }
 
 bool same_shadows(const PlanetShadows& a, const PlanetShadows& b, const std::vector<PlanetTile>& tiles)
