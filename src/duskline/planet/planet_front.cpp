@@ -161,7 +161,6 @@ public:
         const double height_m = norm_(line, cell) * roof - base_m_(line, cell);
         return std::min(static_cast<float>(height_m), kDeepNight_m);
     }
-    double base_m(std::size_t line, std::size_t cell) const { return base_m_(line, cell); }
 
 private:
     Grid<double> inverse_depth_;
@@ -208,6 +207,7 @@ struct BeamRange {
     }
 };
 
+// One tile: its beams, the pass over its lines, and the answers on the way.
 class TileCast {
 public:
     TileCast(const Globe& globe, const LightAxis& axis, const PlanetTile& tile, const TileHeights& heights,
@@ -519,8 +519,8 @@ private:
             return neighbour->leaving.rho_at(beam.turn);
         const Vector3 direction = direction_of(tile_.face, place);
         const double sine = dot(direction, beam.outward);
-        if (entering_.ancestor != nullptr)
-            return (base_radius_m(globe_, direction) + ancestor_height_m(place)) * sine;
+        if (entering_.ancestor != nullptr) // floats: where nothing has been met, a little below the centre
+            return std::max(0.0, base_radius_m(globe_, direction) + ancestor_height_m(place)) * sine;
         if (dot(direction, axis_.to_sun) > 0.0)
             return 0.0;
         return LightSection(globe_, axis_.to_sun, beam.outward).greatest_rho_m();
