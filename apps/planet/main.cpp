@@ -1,3 +1,4 @@
+#include "descent.h"
 #include "exit_code.h"
 #include "help_page.h"
 #include "interruption.h"
@@ -5,6 +6,7 @@
 #include "planet_options.h"
 #include "render_picture.h"
 #include "report.h"
+#include "window.h"
 
 #include <string>
 #include <vector>
@@ -19,9 +21,12 @@ void look(const PlanetOptions& options)
 {
     require_consistent(options);
     cli::Report report("planet", options.run, kProgram);
-    if (options.render.empty())
-        throw cli::UsageError("give --render FILE");
-    render_picture(options, report);
+    if (!options.render.empty())
+        render_picture(options, report);
+    else if (options.flydown_frames)
+        fly_down(options, report);
+    else
+        return show_window(options, report);
     report.finish();
 }
 

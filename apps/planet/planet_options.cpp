@@ -133,15 +133,16 @@ void add_view(CLI::App& app, PlanetOptions& options)
         ->type_name("WxH")
         ->default_str("1024x768")
         ->group(kView);
-    app.add_option("--technique", options.technique, "how shadows are found: " + technique_list())
+    app.add_option("--technique", options.technique,
+                   "how shadows are found: " + technique_list() + "; with --flydown also all; else fronts")
         ->type_name("NAME")
         ->group(kView);
     cli::add_number(app,
-                    {.names = "--pixel-error",
+                    {.names = "--square",
                      .unit = "PX",
-                     .text = "what the mesh may be wrong by",
-                     .range = {.least = 0.1, .most = 100.0}},
-                    options.look.pixel_error)
+                     .text = "how large squares of the mesh may be in the picture",
+                     .range = {.least = 0.5, .most = 100.0}},
+                    options.look.square_pixels)
         ->group(kView);
     app.add_flag("--mark-detail", options.look.show_made, "colour ground that no file has measured")
         ->group(kView);
@@ -175,6 +176,35 @@ void add_headless(CLI::App& app, PlanetOptions& options)
     app.add_option("--render", options.render, "write one picture, needs no display; PNG, JPEG, ...")
         ->type_name("FILE")
         ->group(kHeadless);
+    app.add_option_function<std::string>(
+           "--flydown",
+           [&options](const std::string& typed) {
+               options.flydown_frames = cli::parse_count("--flydown", typed, 2);
+           },
+           "fly from space down to the place of --at in so many frames, and say how long they took; needs no "
+           "display")
+        ->type_name("FRAMES")
+        ->group(kHeadless);
+    cli::add_number(app,
+                    {.names = "--from",
+                     .unit = "KM",
+                     .text = "height over the ground where --flydown begins",
+                     .range = {.least = 0.001, .most = 1e6}},
+                    options.from_km)
+        ->group(kHeadless);
+    cli::add_number(app,
+                    {.names = "--to",
+                     .unit = "M",
+                     .text = "height over the ground where it ends, looking as --pitch says",
+                     .range = {.least = 0.5, .most = 1e8}},
+                    options.to_m)
+        ->group(kHeadless);
+    app.add_option("--report", options.report, "write the figures of --flydown to a JSON file")
+        ->type_name("FILE")
+        ->group(kHeadless);
+    app.add_option("--frames", options.frames, "write the pictures of --flydown into a folder that is there")
+        ->type_name("FOLDER")
+        ->group(kHeadless);
     app.add_flag("--overwrite", options.overwrite, "replace files that are there")->group(kHeadless);
 }
 
@@ -189,7 +219,7 @@ void add_planet_options(CLI::App& app, PlanetOptions& options)
     cli::add_run_options(app, options.run);
     cli::add_details(
         app, "Shows a planet from space down to a step above the ground, under a sun that can be moved by "
-             "date, by time and by hand. --render needs neither window nor display.");
+             "date, by time and by hand. --render and --flydown need neither window nor display.");
     cli::add_example(app, "Hawaii in the evening, as a picture",
                      "duskline-planet --render hawaii.png --at -155.5,19.0,30000 --pitch -20 --time "
                      "2026-06-21T18:30-10:00");
@@ -201,13 +231,23 @@ void add_planet_options(CLI::App& app, PlanetOptions& options)
 
 void require_consistent(const PlanetOptions& options)
 {
+    if (!options.render.empty() && options.flydown_frames)
+        throw UsageError("give --render or --flydown, not both");
+    if (!options.flydown_frames && (!options.report.empty() || !options.frames.empty()))
+        throw UsageError(
+            "--report and --frames say where --flydown leaves what it finds: give --flydown FRAMES");
+    if (!options.flydown_frames && options.technique == "all")
+        throw UsageError("--technique all is for --flydown");
+    if (options.flydown_frames && !(1000.0 * options.from_km > options.to_m))
+        throw UsageError(
+            fmt::format("--from must be above --to, got {} km and {} m", options.from_km, options.to_m));
     if (options.moon && (options.sphere || options.radius_km))
         throw UsageError("--moon says the radius: give it without --sphere and --radius");
     if (options.time && (options.azimuth_deg || options.altitude_deg))
         throw UsageError("give --azimuth and --altitude, or --time, not both");
     if (options.time && options.moon)
         throw UsageError("--time is the sun of the earth: give --azimuth and --altitude with --moon");
-    if (!options.technique.empty())
+    if (!options.technique.empty() && options.technique != "all")
         technique_named(options.technique);
 }
 
@@ -220,17 +260,17 @@ Globe globe_of(const PlanetOptions& options, const Globe& of_file)
     return options.sphere ? sphere_of_radius(of_file.equatorial_radius_m) : of_file;
 }
 
-PlanetState first_state(const PlanetOptions& options, const Globe& globe)
+PlanetState first_state(const PlanetOptions& options, const PlanetTerrain& terrain)
 {
     PlanetState state = options.look;
-    state.pose = options.pose;
+    state.camera = camera_at(terrain, options.pose);
     state.sun.time = options.time;
-    state.sun.direction = sun_direction(globe,
+    state.sun.direction = sun_direction(terrain.globe(),
                                         {Angle::from_degrees(options.azimuth_deg.value_or(300.0)),
                                          Angle::from_degrees(options.altitude_deg.value_or(25.0))},
                                         options.pose.place);
     bring_up_to_date(state.sun);
-    if (!options.technique.empty())
+    if (!options.technique.empty() && options.technique != "all")
         state.technique = technique_named(options.technique);
     return state;
 }

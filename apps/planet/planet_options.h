@@ -24,11 +24,16 @@ struct PlanetOptions {
     std::optional<double> azimuth_deg;
     std::optional<double> altitude_deg;
     std::string technique; ///< empty: the usual one; "all" in a descent
-    PlanetState look;      ///< ambient, exposure and so on
+    PlanetState look;      ///< the mesh, the shadow map and so on
     std::size_t width = 1024;
     std::size_t height = 768;
     cli::RunOptions run;
     std::string render; ///< a picture to write, without a window
+    std::optional<std::size_t> flydown_frames;
+    double from_km = 20000.0;
+    double to_m = 15.0;
+    std::string report; ///< a file for the figures of a descent
+    std::string frames; ///< a folder for its pictures
     bool overwrite = false;
 };
 
@@ -42,6 +47,6 @@ void require_consistent(const PlanetOptions& options);
 Globe globe_of(const PlanetOptions& options, const Globe& of_file);
 
 /// What the options say to begin with.
-PlanetState first_state(const PlanetOptions& options, const Globe& globe);
+PlanetState first_state(const PlanetOptions& options, const PlanetTerrain& terrain);
 
 } // namespace duskline::planet_app

@@ -1,82 +1,186 @@
 #include "planet_scene.h"
 
-#include <duskline/products/daylight.h>
+#include "stopwatch.h"
 
+#include <duskline/gl/context.h>
+
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace duskline::planet_app {
+namespace {
 
-Vector3 eye_m(const PlanetTerrain& terrain, const PlanetPose& pose)
+constexpr std::size_t kAll = 1U << 20U;
+
+gl::PlanetView view_of(const Globe& globe, const PlanetState& state, std::size_t width, std::size_t height)
 {
-    const Vector3 direction = direction_at(terrain.globe(), pose.place);
-    const auto ground_m = static_cast<double>(terrain.height_m(direction, terrain.deepest_level()));
-    return point_m(terrain.globe(), direction, ground_m + pose.clearance_m);
+    return {.eye_m = state.camera.eye_m,
+            .axes = axes_of(globe, state.camera),
+            .vertical_view = state.camera.vertical_view,
+            .width = width,
+            .height = height,
+            .show_made = state.show_made};
 }
 
-CameraAxes axes_of(const Globe& globe, const PlanetPose& pose)
+gl::PlanetLight light_of(const ViewedPlanet& viewed, const PlanetState& state)
 {
-    const LocalFrame here = local_frame(globe, direction_at(globe, pose.place));
-    const auto [sin_heading, cos_heading] = sine_cosine(pose.heading);
-    const auto [sin_pitch, cos_pitch] = sine_cosine(pose.pitch);
-    const Vector3 ahead = here.north * cos_heading + here.east * sin_heading;
-    const Vector3 right = here.east * cos_heading - here.north * sin_heading;
-    return {ahead * cos_pitch + here.up * sin_pitch, right, here.up * cos_pitch - ahead * sin_pitch};
+    gl::PlanetLight light;
+    light.to_sun = state.sun.direction;
+    light.ambient = viewed.air ? state.ambient : 0.2f * state.ambient;
+    light.exposure = state.exposure;
+    light.air = viewed.air;
+    light.living = viewed.living;
+    return light;
 }
 
-PlanetScene::PlanetScene(const ViewedPlanet& viewed, const gl::ShaderSources& sources)
-    : viewed_(viewed),
+// From the middle of the picture to its corners.
+Angle half_view(const PlanetCamera& camera, double aspect)
+{
+    const double upwards = tangent(Angle::from_degrees(camera.vertical_view.degrees() / 2.0));
+    return Angle::from_radians(std::atan(upwards * std::hypot(1.0, aspect)));
+}
+
+// The part of space that a shadow box and its casters take.
+OrientedBox space_of(const ShadowBox& box)
+{
+    const double half_m = box.side_m / 2.0;
+    return {box.centre_m + box.axes.towards_light * (box.caster_reach_m / 2.0),
+            {box.axes.right, box.axes.up, box.axes.towards_light},
+            {half_m, half_m, half_m + box.caster_reach_m / 2.0}};
+}
+
+} // namespace
+
+PlanetScene::PlanetScene(const ViewedPlanet& viewed, const gl::ShaderSources& sources, double square_pixels,
+                         const Execution& execution)
+    : viewed_(viewed), sources_(sources), execution_(execution),
+      quadtree_(*viewed.terrain, {.square_pixels = square_pixels, .look_around = true}, execution),
       renderer_(sources, viewed.terrain->globe(),
-                [this](const PlanetTile& tile) -> const TileHeights& { return heights_of(tile); })
+                [this](const PlanetTile& tile) -> const TileHeights& { return quadtree_.heights_of(tile); })
 {}
 
-const TileHeights& PlanetScene::heights_of(const PlanetTile& tile)
+void PlanetScene::update_shadow_map(const PlanetState& state, std::size_t width, std::size_t height)
 {
-    const auto found = tiles_.find(tile);
-    return found != tiles_.end() ? found->second
-                                 : tiles_.emplace(tile, viewed_.terrain->heights_of(tile)).first->second;
+    if (!map_ || map_options_ != state.shadow_map) {
+        map_.emplace(sources_, state.shadow_map);
+        map_options_ = state.shadow_map;
+    }
+    const PlanetTerrain& terrain = *viewed_.terrain;
+    const Globe& globe = terrain.globe();
+    const PlanetCamera& camera = state.camera;
+    const double aspect = static_cast<double>(width) / static_cast<double>(height);
+    const double highest_m = static_cast<double>(terrain.heights().highest_m);
+    const ShadowView view = {.eye_m = camera.eye_m,
+                             .forward = axes_of(globe, camera).forward,
+                             .up = local_frame(globe, normalized(camera.eye_m)).up,
+                             .half_view = half_view(camera, aspect),
+                             .clearance_m = clearance_m(camera, terrain),
+                             .highest_above_eye_m = highest_m - height_m(globe, camera.eye_m),
+                             .curvature_per_m = 1.0 / globe.equatorial_radius_m,
+                             .towards_light = state.sun.direction};
+    if (!quadtree_.settled())
+        map_->casters_changed();
+    map_->update(view, [&](const ShadowBox& box) {
+        const std::vector<PlanetPatch> casters = quadtree_.casters(space_of(box));
+        renderer_.draw_depth(camera.eye_m, box_to_clip(box, camera.eye_m), casters);
+    });
 }
 
-void PlanetScene::select(const PlanetTile& tile, const Vector3& eye, double reach,
-                         std::vector<gl::PlanetPatch>& patches)
+void PlanetScene::know_tile(const PlanetTile& tile)
 {
-    const Globe& globe = viewed_.terrain->globe();
-    const auto diagonal = [&](std::uint32_t level) {
-        return std::sqrt(2.0) * kTileSquares * spacing_m(globe, level);
-    };
-    constexpr double never = std::numeric_limits<double>::infinity();
-    const auto range = [&](std::uint32_t level) {
-        const double end = reach * diagonal(level);
-        return level == 0 ? MorphRange{never, never}
-                          : MorphRange{std::min(0.95 * end, (reach / 2.0 + 1.0) * diagonal(level)), end};
-    };
-    const OrientedBox box = box_around(globe, tile, heights_of(tile).range);
-    if (tile.level == viewed_.terrain->deepest_level() || distance_m(eye, box) >= range(tile.level + 1).end_m)
-        patches.push_back({tile, range(tile.level)});
+    if (tile.level > 0 && !known_.contains(parent_of(tile)))
+        know_tile(parent_of(tile));
+    const TileHeights& heights = quadtree_.heights_of(tile);
+    const TileHeights*& known = known_[tile];
+    if (known == &heights)
+        return;
+    known = &heights;
+    // The quadtree keeps them; what it throws out is erased before anything looks at it.
+    fronts_->insert(tile, std::shared_ptr<const TileHeights>(std::shared_ptr<void>(), &heights));
+}
+
+// What the fronts know are tiles that are drawn, those towards the sun whose shadows reach them, and all their ancestors.
+void PlanetScene::follow_tiles(const Vector3& to_sun)
+{
+    std::erase_if(known_, [&](const auto& entry) {
+        const LoadedTile* loaded = quadtree_.tiles().find(entry.first);
+        const bool gone = loaded == nullptr || &loaded->heights != entry.second;
+        if (gone)
+            fronts_->erase(entry.first);
+        return gone;
+    });
+    for (std::uint32_t face = 0; face < kCubeFaces; ++face)
+        know_tile({face, 0, 0, 0});
+    for (const PlanetPatch& patch : quadtree_.patches())
+        know_tile(patch.tile);
+    static_cast<void>(to_sun);
+}
+
+void PlanetScene::update_fronts(const PlanetState& state, std::size_t tiles)
+{
+    if (!fronts_)
+        fronts_.emplace(viewed_.terrain->globe(), state.sun.direction);
+    fronts_->set_sun(state.sun.direction);
+    follow_tiles(state.sun.direction);
+    if (tiles == kAll)
+        fronts_->settle(execution_);
     else
-        for (const PlanetTile& child : children_of(tile))
-            select(child, eye, reach, patches);
+        fronts_->update(tiles, execution_);
+}
+
+gl::PlanetShadow PlanetScene::shadow_of(const PlanetState& state) const
+{
+    gl::PlanetShadow shadow;
+    if (state.technique == PlanetTechnique::shadow_map) {
+        shadow.map = &*map_;
+        shadow.look = state.shadow_look;
+    } else if (state.technique == PlanetTechnique::fronts) {
+        shadow.heights_of = [this](const PlanetTile& tile) {
+            const std::shared_ptr<const TileShadow> found = fronts_->shadow_of(tile);
+            return found ? std::shared_ptr<const Grid<float>>(found, &found->heights_m) : nullptr;
+        };
+    }
+    return shadow;
+}
+
+gl::DrawnPlanet PlanetScene::draw_picture(const PlanetState& state, std::size_t width, std::size_t height)
+{
+    return renderer_.draw(view_of(viewed_.terrain->globe(), state, width, height), light_of(viewed_, state),
+                          quadtree_.patches(), shadow_of(state));
+}
+
+FrameCost PlanetScene::draw(const PlanetState& state, std::size_t width, std::size_t height,
+                            const FrameBudget& budget, bool wait)
+{
+    const auto timed = [wait](double& ms, const auto& work) {
+        double seconds = 0.0;
+        {
+            const cli::Stopwatch watch(seconds);
+            work();
+            if (wait)
+                gl::wait_until_done();
+        }
+        ms = 1000.0 * seconds;
+    };
+    FrameCost cost;
+    timed(cost.load_ms, [&] { quadtree_.update(state.camera, width, height, budget.loads, execution_); });
+    timed(cost.cast_ms, [&] {
+        if (state.technique == PlanetTechnique::shadow_map)
+            update_shadow_map(state, width, height);
+        else if (state.technique == PlanetTechnique::fronts)
+            update_fronts(state, budget.shadows);
+    });
+    timed(cost.draw_ms, [&] { cost.drawn = draw_picture(state, width, height); });
+    cost.settled = quadtree_.settled() && (state.technique != PlanetTechnique::fronts || fronts_->settled());
+    return cost;
 }
 
 FrameCost PlanetScene::draw_settled(const PlanetState& state, std::size_t width, std::size_t height)
 {
-    const Globe& globe = viewed_.terrain->globe();
-    const gl::PlanetView view = {.eye_m = eye_m(*viewed_.terrain, state.pose),
-                                 .axes = axes_of(globe, state.pose),
-                                 .vertical_view = state.pose.vertical_view,
-                                 .width = width,
-                                 .height = height,
-                                 .show_made = state.show_made};
-    std::vector<gl::PlanetPatch> patches;
-    for (std::uint32_t face = 0; face < kCubeFaces; ++face)
-        select({face, 0, 0, 0}, view.eye_m, 2.5, patches);
-    gl::PlanetLight light;
-    light.to_sun = state.sun.direction;
-    light.ambient = state.ambient;
-    light.exposure = state.exposure;
-    light.air = viewed_.air;
-    light.living = viewed_.living;
-    return {renderer_.draw(view, light, patches)};
+    do
+        quadtree_.update(state.camera, width, height, kAll, execution_);
+    while (!quadtree_.settled());
+    return draw(state, width, height, {kAll, kAll});
 }
 
 } // namespace duskline::planet_app

@@ -3,42 +3,70 @@
 #include "planet_files.h"
 #include "planet_state.h"
 
+#include <duskline/execution/progress.h>
 #include <duskline/gl/planet_renderer.h>
-#include <duskline/gl/timer_query.h>
+#include <duskline/gl/shadow_map.h>
+#include <duskline/planet/planet_quadtree.h>
+#include <duskline/planet/planet_shadows.h>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <unordered_map>
-#include <vector>
 
 namespace duskline::planet_app {
 
-/// What a frame cost.
+/// What a frame may do besides drawing.
+struct FrameBudget {
+    std::size_t loads = 8;    ///< tiles read
+    std::size_t shadows = 24; ///< tiles whose shadow heights are found
+};
+
+/// What a frame cost, by the wall clock; with `wait` the graphics card's work is part of it.
 struct FrameCost {
+    double load_ms = 0.0; ///< choosing tiles and reading those that are new
+    double cast_ms = 0.0; ///< finding shadows
+    double draw_ms = 0.0; ///< with taking tiles to the card
     gl::DrawnPlanet drawn;
+    bool settled = false; ///< all that the view wants is there
 };
 
 /// A planet on the graphics card and the shadows on it, as a state says. Needs a current OpenGL context.
 class PlanetScene {
 public:
-    /// Both must outlive it.
-    PlanetScene(const ViewedPlanet& viewed, const gl::ShaderSources& sources);
+    /// `viewed` and `sources` must outlive it.
+    PlanetScene(const ViewedPlanet& viewed, const gl::ShaderSources& sources, double square_pixels,
+                const Execution& execution);
 
-    /// Draws a picture of that size into the current framebuffer, with all its ground loaded.
+    /// Draws a picture of that size into the current framebuffer, with what is there and what the budget adds.
+    FrameCost draw(const PlanetState& state, std::size_t width, std::size_t height, const FrameBudget& budget,
+                   bool wait = false);
+
+    /// The same with everything there, however long it takes.
     FrameCost draw_settled(const PlanetState& state, std::size_t width, std::size_t height);
 
+    /// Takes up shader files that have changed on disk.
+    bool reload_shaders() { return renderer_.reload_if_changed(); }
+
+    const PlanetQuadtree& quadtree() const { return quadtree_; }
+
 private:
-    const TileHeights& heights_of(const PlanetTile& tile);
-    void select(const PlanetTile& tile, const Vector3& eye_m, double reach,
-                std::vector<gl::PlanetPatch>& patches);
+    void update_shadow_map(const PlanetState& state, std::size_t width, std::size_t height);
+    void update_fronts(const PlanetState& state, std::size_t tiles);
+    void follow_tiles(const Vector3& to_sun);
+    void know_tile(const PlanetTile& tile);
+    gl::PlanetShadow shadow_of(const PlanetState& state) const;
+    gl::DrawnPlanet draw_picture(const PlanetState& state, std::size_t width, std::size_t height);
 
     const ViewedPlanet& viewed_;
-    std::unordered_map<PlanetTile, TileHeights> tiles_;
+    const gl::ShaderSources& sources_;
+    Execution execution_;
+    PlanetQuadtree quadtree_;
     gl::PlanetRenderer renderer_;
+    std::optional<gl::ShadowMap> map_; ///< made when first needed, and for other options
+    gl::ShadowMapOptions map_options_;
+    std::optional<PlanetShadows> fronts_;                      ///< made when first needed
+    std::unordered_map<PlanetTile, const TileHeights*> known_; ///< tiles that the fronts know
 };
-
-/// Where the eye of a pose is, and how it looks, in the planet's frame.
-Vector3 eye_m(const PlanetTerrain& terrain, const PlanetPose& pose);
-CameraAxes axes_of(const Globe& globe, const PlanetPose& pose);
 
 } // namespace duskline::planet_app

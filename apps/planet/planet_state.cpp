@@ -11,7 +11,9 @@ namespace duskline::planet_app {
 const std::vector<TechniqueName>& planet_techniques()
 {
     static const std::vector<TechniqueName> techniques = {
-        {PlanetTechnique::none, "none", "no shadows but on the side away from the sun"},
+        {PlanetTechnique::none, "none", "ground that faces away from the sun alone is dark"},
+        {PlanetTechnique::shadow_map, "shadow-map", "a depth map that goes with the viewer"},
+        {PlanetTechnique::fronts, "fronts", "shadow heights of all tiles, exact on every level"},
     };
     return techniques;
 }
@@ -32,6 +34,23 @@ std::string_view name_of(PlanetTechnique technique)
     return std::ranges::find(planet_techniques(), technique, &TechniqueName::technique)->name;
 }
 
+PlanetCamera camera_at(const PlanetTerrain& terrain, const PlanetPose& pose)
+{
+    const Vector3 direction = direction_at(terrain.globe(), pose.place);
+    const auto ground_m = static_cast<double>(terrain.height_m(direction, terrain.deepest_level()));
+    PlanetCamera camera = camera_over(terrain.globe(), pose.place, ground_m + pose.clearance_m);
+    camera.heading = pose.heading;
+    camera.pitch = pose.pitch;
+    camera.vertical_view = pose.vertical_view;
+    return camera;
+}
+
+PlanetPose pose_of(const PlanetTerrain& terrain, const PlanetCamera& camera)
+{
+    return {lon_lat_of(terrain.globe(), normalized(camera.eye_m)), clearance_m(camera, terrain),
+            camera.heading, camera.pitch, camera.vertical_view};
+}
+
 Vector3 sun_direction(const Globe& globe, const SunAngles& angles, const LonLat& place)
 {
     const LocalFrame here = local_frame(globe, direction_at(globe, place));
@@ -48,18 +67,10 @@ SunAngles sun_angles(const Globe& globe, const Vector3& sun, const LonLat& place
             Angle::from_radians(std::asin(std::clamp(dot(sun, here.up), -1.0, 1.0)))};
 }
 
-Vector3 sun_direction(UtcTime time)
-{
-    // Any place will do: its angles, turned back by its own frame.
-    const LonLat place = {};
-    const SunPosition sun = sun_position(time, {.longitude = {}, .latitude = {}}, {.air = std::nullopt});
-    return sun_direction(kWgs84, {sun.azimuth, sun.geometric_altitude}, place);
-}
-
 void bring_up_to_date(PlanetSun& sun)
 {
     if (sun.time)
-        sun.direction = sun_direction(sun.time->utc);
+        sun.direction = duskline::sun_direction(sun.time->utc);
 }
 
 } // namespace duskline::planet_app

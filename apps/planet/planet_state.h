@@ -1,9 +1,12 @@
 #pragma once
 
+#include <duskline/gl/shadow_map.h>
 #include <duskline/light/date_time.h>
 #include <duskline/planet/globe.h>
-#include <duskline/view/camera.h>
+#include <duskline/planet/planet_camera.h>
+#include <duskline/planet/planet_terrain.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,10 +14,10 @@
 
 namespace duskline::planet_app {
 
-/// Where somebody looks from. Heights are over the ground, heading clockwise from north, pitch above the horizontal.
+/// Where somebody looks from, as people say it. Heading clockwise from north, pitch above the horizontal.
 struct PlanetPose {
     LonLat place = {Angle::from_degrees(-155.47), Angle::from_degrees(19.4)};
-    double clearance_m = 40000.0;
+    double clearance_m = 40000.0; ///< over the ground
     Angle heading = {};
     Angle pitch = Angle::from_degrees(-35.0);
     Angle vertical_view = Angle::from_degrees(45.0);
@@ -28,7 +31,7 @@ struct PlanetSun {
 };
 
 /// How shadows are found.
-enum class PlanetTechnique { none, shadow_map, fronts };
+enum class PlanetTechnique : std::uint8_t { none, shadow_map, fronts };
 
 struct TechniqueName {
     PlanetTechnique technique;
@@ -44,18 +47,22 @@ std::string_view name_of(PlanetTechnique technique);
 
 /// Everything that can be set while looking, and nothing that follows from the files.
 struct PlanetState {
-    PlanetPose pose;
+    PlanetCamera camera;
     PlanetSun sun;
-    PlanetTechnique technique = PlanetTechnique::none;
-    float ambient = 0.25f;    ///< 0 to below 1
-    float exposure = 1.0f;    ///< above 0
-    double pixel_error = 2.0; ///< of the mesh; above 0
-    bool show_made = false;   ///< mark what no file has measured
+    PlanetTechnique technique = PlanetTechnique::fronts;
+    gl::ShadowMapOptions shadow_map;
+    gl::ShadowMapLook shadow_look;
+    double square_pixels = 4.0; ///< of the mesh: PlanetQuadtreeOptions
+    float ambient = 0.25f;      ///< 0 to below 1
+    float exposure = 1.0f;      ///< above 0
+    bool show_made = false;     ///< mark what no file has measured
 };
 
-/// The direction to the sun at a moment, as the earth stands then, without refraction and parallax: right to 0.003 degrees.
-/// Throws InvalidInput for years that sun_position does not take.
-Vector3 sun_direction(UtcTime time);
+/// The camera of a pose.
+PlanetCamera camera_at(const PlanetTerrain& terrain, const PlanetPose& pose);
+
+/// The pose of a camera.
+PlanetPose pose_of(const PlanetTerrain& terrain, const PlanetCamera& camera);
 
 /// Azimuth clockwise from north and altitude over the horizontal of a place, without refraction.
 struct SunAngles {

@@ -29,9 +29,9 @@ void render_picture(const PlanetOptions& options, cli::Report& report)
     require_new(options);
     const gl::HeadlessContext context;
     const ViewedPlanet viewed = read_viewed_planet(options, report);
-    const PlanetState state = first_state(options, viewed.terrain->globe());
+    const PlanetState state = first_state(options, *viewed.terrain);
     const gl::ShaderSources sources;
-    PlanetScene scene(viewed, sources);
+    PlanetScene scene(viewed, sources, state.square_pixels, {.threads = options.run.threads});
 
     const window::PictureTarget target(kSamplesPerSide * options.width, kSamplesPerSide * options.height);
     target.begin();
@@ -39,7 +39,7 @@ void render_picture(const PlanetOptions& options, cli::Report& report)
     const Picture picture = shrunk(target.picture(), options.height, options.width);
     write_picture(options.render, picture.view(), options.overwrite);
 
-    const SunAngles sun = sun_angles(viewed.terrain->globe(), state.sun.direction, state.pose.place);
+    const SunAngles sun = sun_angles(viewed.terrain->globe(), state.sun.direction, options.pose.place);
     report.line(fmt::format(
         "{}: {} x {} pixels, {} tiles, {} triangles, shadows by {}, sun at azimuth {:.1f}, {:.1f} "
         "degrees high",

@@ -16,6 +16,9 @@ public:
     /// Everything drawn from now on goes here, over nothing.
     void begin() const;
 
+    /// Copies what was drawn into the window of the same size.
+    void show_in_window() const { framebuffer_.copy_to_window(); }
+
     /// What was drawn. Waits for it.
     Picture picture() const;
 

@@ -92,6 +92,17 @@ void Framebuffer::clear(const std::array<float, 4>& colour) const
     }
 }
 
+void Framebuffer::copy_to_window() const
+{
+    const auto width = static_cast<GLint>(width_);
+    const auto height = static_cast<GLint>(height_);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, name());
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+}
+
 void bind_window(std::size_t width, std::size_t height)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

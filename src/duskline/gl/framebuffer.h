@@ -25,6 +25,9 @@ public:
     /// Fills colour outputs with `colour` and depth with the furthest. Leaves what is bound as it was.
     void clear(const std::array<float, 4>& colour = {0.0f, 0.0f, 0.0f, 0.0f}) const;
 
+    /// Copies colour output 0 to the window, which must be as large. The window is bound afterwards.
+    void copy_to_window() const;
+
     std::size_t width() const { return width_; }
     std::size_t height() const { return height_; }
     unsigned int name() const { return framebuffer_.name(); }

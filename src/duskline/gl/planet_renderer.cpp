@@ -144,21 +144,29 @@ PlanetRenderer::PlanetRenderer(const ShaderSources& sources, const Globe& globe,
     patch_.set_indices(indices_);
 }
 
-const Program& PlanetRenderer::ground_program(ShadowKind kind)
+const Program& PlanetRenderer::ground_program(const PlanetShadow& shadow)
 {
-    auto& program = ground_programs_.at(static_cast<std::size_t>(kind));
-    if (!program)
-        program.emplace(sources_,
-                        ProgramDescription{{"planet.vert.glsl", "planet.frag.glsl"},
-                                           {{"PLANET_SHADOW", std::to_string(static_cast<int>(kind))}}});
-    return *program;
+    std::vector<ShaderDefine> defines;
+    if (shadow.map != nullptr)
+        defines = shadow.map->defines();
+    const char* kind = shadow.map != nullptr ? "1" : shadow.heights_of ? "2" : "0";
+    defines.push_back({"PLANET_SHADOW", kind});
+    std::vector<std::string> key;
+    for (const ShaderDefine& define : defines)
+        key.push_back(define.name + "=" + define.value);
+    const auto found = ground_programs_.find(key);
+    if (found != ground_programs_.end())
+        return found->second;
+    return ground_programs_
+        .emplace(key, Program(sources_, {{"planet.vert.glsl", "planet.frag.glsl"}, defines}))
+        .first->second;
 }
 
 void PlanetRenderer::hold(std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
 {
     const std::vector<PlanetTile> tiles = tiles_needed(patches);
     textures_.hold(tiles);
-    if (shadow.heights_of)
+    if (shadow.heights_of && shadow.map == nullptr)
         textures_.hold_shadows(tiles, shadow.heights_of);
 }
 
@@ -254,13 +262,15 @@ DrawnPlanet PlanetRenderer::draw_ground(const PlanetView& view, const PlanetLigh
 {
     hold(patches, shadow);
     upload_tiles(view.eye_m, patches);
-    const Program& program = ground_program(shadow.heights_of ? ShadowKind::heights : ShadowKind::none);
+    const Program& program = ground_program(shadow);
     const double aspect = static_cast<double>(view.width) / static_cast<double>(view.height);
     program.use();
     set_surface(program);
     set_air(program, view.eye_m, light);
     program.set_matrix("to_clip", eye_to_reversed_clip(view.axes, view.vertical_view, aspect, kNearest_m));
     program.set("eye_m", as_floats(view.eye_m));
+    if (shadow.map != nullptr)
+        shadow.map->bind(shadow.map->block(view.eye_m, shadow.look), shadow_map_block_);
     program.set("ambient", light.ambient);
     program.set("living", light.living ? 1 : 0);
     program.set("show_made", view.show_made ? 1 : 0);
@@ -284,8 +294,8 @@ bool PlanetRenderer::reload_if_changed()
 {
     bool changed = sky_.reload_if_changed(sources_);
     changed = depth_.reload_if_changed(sources_) || changed;
-    for (auto& program : ground_programs_)
-        changed = (program && program->reload_if_changed(sources_)) || changed;
+    for (auto& [key, program] : ground_programs_)
+        changed = program.reload_if_changed(sources_) || changed;
     return changed;
 }
 

@@ -3,16 +3,18 @@
 #include <duskline/gl/buffer.h>
 #include <duskline/gl/planet_textures.h>
 #include <duskline/gl/program.h>
+#include <duskline/gl/shadow_map.h>
 #include <duskline/gl/vertex_array.h>
 #include <duskline/planet/globe.h>
-#include <duskline/planet/planet_tile.h>
+#include <duskline/planet/planet_patch.h>
 #include <duskline/view/camera.h>
-#include <duskline/view/level_of_detail.h>
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <map>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace duskline::gl {
 
@@ -37,16 +39,12 @@ struct PlanetView {
     bool show_made = false; ///< mark ground that no file has measured
 };
 
-/// A tile to draw, and at what distances from the eye it turns into its parent. Tiles of level 0 have none: there both
-/// distances must be infinite.
-struct PlanetPatch {
-    PlanetTile tile;
-    MorphRange morph;
-};
-
-/// Where the shadows of a picture come from.
+/// Where the shadows of a picture come from: a shadow map, else shadow heights, else nowhere: then only ground that faces
+/// away from the sun is dark.
 struct PlanetShadow {
-    ShadowHeightsOf heights_of = {}; ///< none: only ground that faces away from the sun is dark
+    ShadowHeightsOf heights_of = {};
+    const ShadowMap* map = nullptr; ///< brought up to date for this view and sun, its casters by `draw_depth`
+    ShadowMapLook look = {};        ///< of the map
 };
 
 /// What was drawn.
@@ -58,8 +56,8 @@ struct DrawnPlanet {
 /// Draws planets: a mesh of tiles, everything relative to the eye so that a step and a planet fit into one picture, under
 /// a sun and a sky.
 ///
-/// Draw into a Framebuffer with depth32f (see gl/reversed_depth.h). Takes texture units 0 to 2 and shader storage 0, and
-/// leaves its own there.
+/// Draw into a Framebuffer with depth32f (see gl/reversed_depth.h). Takes texture units 0 to 2 and shader storage 0, with a
+/// shadow map those of it too, and leaves its own there.
 class PlanetRenderer {
 public:
     /// `sources` must outlive it. Throws ShaderError, InvalidInput for radii that are wrong, and UnsupportedOnThisMachine
@@ -88,9 +86,7 @@ public:
     bool reload_if_changed();
 
 private:
-    enum class ShadowKind : std::uint8_t { none, map, heights };
-
-    const Program& ground_program(ShadowKind kind);
+    const Program& ground_program(const PlanetShadow& shadow);
     void hold(std::span<const PlanetPatch> patches, const PlanetShadow& shadow);
     void upload_tiles(const Vector3& eye_m, std::span<const PlanetPatch> patches);
     void set_surface(const Program& program) const;
@@ -101,7 +97,8 @@ private:
     const ShaderSources& sources_;
     Globe globe_;
     PlanetTextures textures_;
-    std::array<std::optional<Program>, 3> ground_programs_; // built when first needed
+    std::map<std::vector<std::string>, Program>
+        ground_programs_; ///< by the values of their defines, when first needed
     Program depth_;
     Program sky_;
     VertexArray no_vertices_;
@@ -109,6 +106,7 @@ private:
     Buffer corners_;
     Buffer indices_;
     Buffer tiles_;
+    Buffer shadow_map_block_;
     std::size_t patch_indices_ = 0;
 };
 

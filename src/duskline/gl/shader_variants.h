@@ -28,6 +28,7 @@ inline const std::vector<ShaderVariant>& shader_variants()
         {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "7"}}},
         {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "8"}}},
         {"planet.frag.glsl", {{"PLANET_SHADOW", "0"}}},
+        {"planet.frag.glsl", {{"PLANET_SHADOW", "1"}}},
         {"planet.frag.glsl", {{"PLANET_SHADOW", "2"}}},
         {"planet.vert.glsl"},
         {"planet_depth.vert.glsl"},

@@ -53,6 +53,8 @@ struct ShadowMapOptions {
     double fade_from_m = 5e4; ///< clearances between which all shadows fade, until they are not drawn at all
     double fade_to_m = 1e5;
     double farthest_caster_m = 5e5;
+
+    bool operator==(const ShadowMapOptions&) const = default;
 };
 
 /// What changes from picture to picture.

@@ -23,6 +23,7 @@ flat in ivec2 in_parent;   // where the tile begins there
 // What a technique may want to know of the place of a pixel.
 struct PlanetPlace {
     vec3 from_eye_m;
+    vec3 normal;    // of any length
     vec2 at;        // column and row in the tile, 0 to 128
     float height_m; // as drawn
     float turned;   // into the parent: 0 to 1
@@ -30,7 +31,12 @@ struct PlanetPlace {
     ivec2 in_parent;
 };
 
-#if PLANET_SHADOW == 2
+// Each has
+//     float planet_shadow(PlanetPlace place)                      how much light gets there, 0 to 1
+//     vec4 planet_shadow_overlay(PlanetPlace place, float lit)    a false colour to lay over the picture, and how much
+#if PLANET_SHADOW == 1
+#include "planet_shadow_map.glsl"
+#elif PLANET_SHADOW == 2
 #include "planet_shadow_fronts.glsl"
 #else
 #include "planet_shadow_none.glsl"
@@ -72,7 +78,9 @@ vec3 light_on(vec3 outwards, float lit)
     float sine = dot(outwards, towards_sun);
     vec3 sun = sunlight_at(outwards, height_m) * max(0.0, dot(facing, towards_sun)) * lit;
     float day = air ? smoothstep(-0.12, 0.25, sine) : smoothstep(0.0, 0.1, sine);
-    float open = 0.5 + 0.5 * dot(facing, outwards);
+    // The sky is brighter towards the sun.
+    vec3 bright_sky = normalize(outwards + 0.7 * (towards_sun - sine * outwards));
+    float open = air ? pow(0.5 + 0.5 * dot(facing, bright_sky), 2.0) : 0.5 + 0.5 * dot(facing, outwards);
     vec3 sky = mix(vec3(1.0), vec3(0.84, 0.95, 1.14), air ? 1.0 : 0.0) * (ambient * day * open);
     return sun * (1.0 - ambient) * 1.6 + sky + vec3(0.004, 0.006, 0.012);
 }
@@ -82,11 +90,14 @@ void main()
     vec3 outwards = normalize(eye_m + from_eye_m);
     float upright = clamp(dot(normalize(normal), outwards), 0.02, 1.0);
     float steepness = sqrt(1.0 - upright * upright) / upright;
-    float lit = planet_shadow(PlanetPlace(from_eye_m, at, height_m, turned, tile_layers, in_parent));
+    PlanetPlace place = PlanetPlace(from_eye_m, normal, at, height_m, turned, tile_layers, in_parent);
+    float lit = planet_shadow(place);
     vec3 colour = ground_colour(outwards, steepness) * 2.2;
     if (show_made && is_made())
         colour = mix(colour, vec3(0.9, 0.1, 0.6), 0.35);
     colour *= light_on(outwards, lit);
+    vec4 overlay = planet_shadow_overlay(place, lit);
+    colour = mix(colour, overlay.rgb, overlay.a);
     Haze haze = haze_before(from_eye_m);
     pixel = vec4(srgb(soft_clip(exposure * (colour * haze.passed + haze.added))), 1.0);
 }

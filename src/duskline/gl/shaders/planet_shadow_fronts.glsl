@@ -40,3 +40,8 @@ float planet_shadow(PlanetPlace place)
     float soft_m = max(0.7 * fwidth(clear_m), 1e-3);
     return smoothstep(-soft_m, soft_m, clear_m);
 }
+
+vec4 planet_shadow_overlay(PlanetPlace place, float lit)
+{
+    return vec4(0.0);
+}

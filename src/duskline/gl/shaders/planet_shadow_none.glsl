@@ -4,3 +4,8 @@ float planet_shadow(PlanetPlace place)
 {
     return 1.0;
 }
+
+vec4 planet_shadow_overlay(PlanetPlace place, float lit)
+{
+    return vec4(0.0);
+}

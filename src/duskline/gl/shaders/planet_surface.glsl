@@ -96,18 +96,19 @@ struct PlanetCorner {
     float turned; // into the parent: 0 to 1
 };
 
+// How far it has turned follows from the place on the parent's mesh, which neighbours of either level know.
 PlanetCorner planet_corner(PlanetTile tile, ivec2 corner)
 {
     float height_m = tile_height_m(tile.layer, corner);
     vec3 own_m = point_from_eye_m(tile, vec2(corner), height_m);
-    float turned = clamp((length(own_m) - tile.morph_begin_m) * tile.morph_per_m, 0.0, 1.0);
-    if (turned == 0.0)
+    if (tile.morph_per_m == 0.0)
         return PlanetCorner(own_m, height_m, 0.0);
     ivec2 a = corner & ~1;
     ivec2 b = corner + (corner & 1);
     float height_a_m = tile_height_m(tile.parent_layer, tile.in_parent + a / 2);
     float height_b_m = tile_height_m(tile.parent_layer, tile.in_parent + b / 2);
     vec3 parent_m = 0.5 * (point_from_eye_m(tile, vec2(a), height_a_m) + point_from_eye_m(tile, vec2(b), height_b_m));
+    float turned = clamp((length(parent_m) - tile.morph_begin_m) * tile.morph_per_m, 0.0, 1.0);
     return PlanetCorner(mix(own_m, parent_m, turned), mix(height_m, 0.5 * (height_a_m + height_b_m), turned), turned);
 }
 

@@ -1,0 +1,140 @@
+// Runs the real duskline-planet without a window.
+
+#include "cli/raster_run.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <set>
+
+namespace duskline::planet_app_test {
+namespace {
+
+using cli_test::Arguments;
+using cli_test::Finished;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class PlanetApp : public cli_test::RasterRun {
+protected:
+    void SetUp() override
+    {
+        setenv("DUSKLINE_DATA_DIR", DUSKLINE_DATA, 1); // NOLINT(concurrency-mt-unsafe): before anything runs
+        const Finished trial =
+            run({"--radius", "100", "--at", "0,0,50000", "--render", "trial.png", "--size", "32x32"});
+        if (trial.exit_code == 5)
+            GTEST_SKIP() << trial.err;
+        ASSERT_EQ(trial.exit_code, 0) << trial.err;
+    }
+
+    std::vector<float> rendered(const std::string& name, const Arguments& options) const
+    {
+        Arguments arguments = {"--render", name, "--size", "96x72", "--quiet"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Finished finished = run(arguments);
+        EXPECT_EQ(finished.exit_code, 0) << finished.err;
+        EXPECT_EQ(finished.out, "");
+        return read(name).values;
+    }
+
+    void expect_error(const Arguments& arguments, int exit_code, const std::string& says) const
+    {
+        const Finished finished = run(arguments);
+        EXPECT_EQ(finished.exit_code, exit_code) << finished.err;
+        EXPECT_THAT(finished.err, StartsWith("duskline-planet: "));
+        EXPECT_THAT(finished.err, HasSubstr(says));
+        EXPECT_EQ(std::ranges::count(finished.err, '\n'), 1) << finished.err;
+    }
+};
+
+double brightness(const std::vector<float>& picture)
+{
+    return std::accumulate(picture.begin(), picture.end(), 0.0) / static_cast<double>(picture.size());
+}
+
+TEST_F(PlanetApp, RendersWithoutAWindowTheSamePictureTwice)
+{
+    const Arguments view = {"--radius", "300", "--at", "10,20,4000", "--pitch", "-20"};
+    const auto picture = rendered("a.png", view);
+    EXPECT_EQ(picture.size(), 96U * 72U);
+    EXPECT_GT(std::set<float>(picture.begin(), picture.end()).size(), 30U);
+    EXPECT_EQ(picture, rendered("b.png", view));
+}
+
+TEST_F(PlanetApp, HasNightAndDay)
+{
+    const Arguments noon = {"--radius", "300", "--at", "0,0,50000", "--pitch", "-90", "--altitude", "80"};
+    Arguments night = noon;
+    night.back() = "-60";
+    EXPECT_GT(brightness(rendered("noon.png", noon)), 4.0 * brightness(rendered("night.png", night)));
+}
+
+TEST_F(PlanetApp, ShowsTheShadowsOfHawaiiByEveryTechnique)
+{
+    const auto with = [&](const std::string& technique) {
+        return rendered(technique + ".png",
+                        {"--at", "-155.4,19.75,2000", "--pitch", "-12", "--heading", "20", "--azimuth", "290",
+                         "--altitude", "12", "--square", "20", "--detail", "0", "--technique", technique});
+    };
+    const double none = brightness(with("none"));
+    const auto fronts = with("fronts");
+    const auto map = with("shadow-map");
+    EXPECT_GT(none, brightness(fronts) + 1.0);
+    EXPECT_GT(none, brightness(map) + 1.0);
+    double apart = 0.0;
+    for (std::size_t i = 0; i < map.size(); ++i)
+        apart += static_cast<double>(std::abs(map[i] - fronts[i]));
+    EXPECT_LT(apart / static_cast<double>(map.size()), 4.0);
+}
+
+TEST_F(PlanetApp, ReportsADescentWithEveryTechnique)
+{
+    const Finished finished =
+        run({"--radius", "300", "--at", "10,20,100", "--flydown", "4", "--from", "900", "--to", "20",
+             "--technique", "all", "--size", "64x48", "--report", "report.json", "--frames", "."});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    const auto report = nlohmann::json::parse(read_file("report.json"));
+    EXPECT_EQ(report["frames"], 4);
+    ASSERT_EQ(report["descents"].size(), 3U);
+    for (const auto& descent : report["descents"]) {
+        const std::string technique = descent["technique"];
+        EXPECT_THAT(finished.out, HasSubstr(technique));
+        EXPECT_LE(descent["fps"]["least"], descent["fps"]["mean"]);
+        EXPECT_LE(descent["fps"]["mean"], descent["fps"]["most"]);
+        EXPECT_GT(descent["mean_triangles"].get<double>(), 0.0);
+        EXPECT_NE(read(technique + "_0000.png").values, read(technique + "_0003.png").values);
+    }
+}
+
+TEST_F(PlanetApp, RefusesWhatIsWrongInOneLine)
+{
+    expect_error({"--technique", "magic"}, 2, "there are: none, shadow-map, fronts");
+    expect_error({"--technique", "all"}, 2, "--flydown");
+    expect_error({"--render", "p.png", "--flydown", "5"}, 2, "not both");
+    expect_error({"--report", "r.json"}, 2, "--flydown");
+    expect_error({"--flydown", "5", "--from", "0.01", "--to", "20"}, 2, "--from must be above --to");
+    expect_error({"--render", "p.png", "--at", "10,20"}, 2, "LON,LAT,HEIGHT");
+    expect_error({"--render", "p.png", "--at", "10,20,0"}, 2, "from 0.5");
+    expect_error({"--render", "p.png", "--pitch", "91"}, 2, "--pitch must be from -90 to 90");
+    expect_error({"--moon", "--radius", "5"}, 2, "--moon");
+    expect_error({"--moon", "--time", "2026-06-21T12:00Z"}, 2, "--azimuth");
+    expect_error({"--time", "2026-06-21T12:00Z", "--altitude", "3"}, 2, "not both");
+    expect_error({"--nonsense"}, 2, "no option is called '--nonsense'");
+    expect_error({"missing.tif", "--render", "p.png"}, 3, "missing.tif");
+    expect_error({"--radius", "100", "--render", "trial.png"}, 4, "--overwrite");
+    expect_error({"--radius", "100", "--flydown", "3", "--frames", "nowhere"}, 4, "no folder 'nowhere'");
+}
+
+TEST_F(PlanetApp, SaysWhatToDoWithoutADisplay)
+{
+    const Finished finished =
+        run_program({"sh", "-c", "unset DISPLAY WAYLAND_DISPLAY; exec \"$DUSKLINE\" --radius 100"});
+    EXPECT_EQ(finished.exit_code, 5);
+    EXPECT_THAT(finished.err, HasSubstr("--render and --flydown need no display"));
+}
+
+} // namespace
+} // namespace duskline::planet_app_test
