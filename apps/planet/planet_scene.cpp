@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::size_t kAll = 1U << 20U;
 
+constexpr double kCastersOverClearance = 20.0;
+constexpr double kLongestShadow = 15.0; // over the height of what casts it
+
 gl::PlanetView view_of(const Globe& globe, const PlanetState& state, std::size_t width, std::size_t height)
 {
     return {.eye_m = state.camera.eye_m,
@@ -47,6 +50,18 @@ OrientedBox space_of(const ShadowBox& box)
     return {box.centre_m + box.axes.towards_light * (box.caster_reach_m / 2.0),
             {box.axes.right, box.axes.up, box.axes.towards_light},
             {half_m, half_m, half_m + box.caster_reach_m / 2.0}};
+}
+
+// Around the eye as far as fine tiles reach, and on towards the sun as far as long shadows do.
+OrientedBox space_of_casters(const PlanetTerrain& terrain, const PlanetState& state)
+{
+    const double half_m = kCastersOverClearance * std::max(100.0, clearance_m(state.camera, terrain));
+    const double longest_m =
+        std::min(half_m, kLongestShadow * static_cast<double>(terrain.heights().highest_m));
+    const LightAxes axes = light_axes(state.sun.direction);
+    return {state.camera.eye_m + axes.towards_light * (longest_m / 2.0),
+            {axes.right, axes.up, axes.towards_light},
+            {half_m, half_m, half_m + longest_m / 2.0}};
 }
 
 } // namespace
@@ -90,21 +105,21 @@ void PlanetScene::know_tile(const PlanetTile& tile)
 {
     if (tile.level > 0 && !known_.contains(parent_of(tile)))
         know_tile(parent_of(tile));
-    const TileHeights& heights = quadtree_.heights_of(tile);
-    const TileHeights*& known = known_[tile];
-    if (known == &heights)
+    const std::shared_ptr<const TileHeights>& heights = quadtree_.tiles().find(tile)->heights;
+    std::shared_ptr<const TileHeights>& known = known_[tile];
+    if (known == heights)
         return;
-    known = &heights;
-    // The quadtree keeps them; what it throws out is erased before anything looks at it.
-    fronts_->insert(tile, std::shared_ptr<const TileHeights>(std::shared_ptr<void>(), &heights));
+    known = heights;
+    fronts_->insert(tile, heights);
 }
 
-// What the fronts know are tiles that are drawn, those towards the sun whose shadows reach them, and all their ancestors.
-void PlanetScene::follow_tiles(const Vector3& to_sun)
+// What the fronts know: tiles that are drawn, what else is there around the eye and may cast shadows on them, and the
+// ancestors of all; each until the quadtree throws it out.
+void PlanetScene::follow_tiles(const PlanetState& state)
 {
     std::erase_if(known_, [&](const auto& entry) {
         const LoadedTile* loaded = quadtree_.tiles().find(entry.first);
-        const bool gone = loaded == nullptr || &loaded->heights != entry.second;
+        const bool gone = loaded == nullptr || loaded->heights != entry.second;
         if (gone)
             fronts_->erase(entry.first);
         return gone;
@@ -113,7 +128,8 @@ void PlanetScene::follow_tiles(const Vector3& to_sun)
         know_tile({face, 0, 0, 0});
     for (const PlanetPatch& patch : quadtree_.patches())
         know_tile(patch.tile);
-    static_cast<void>(to_sun);
+    for (const PlanetPatch& patch : quadtree_.casters(space_of_casters(*viewed_.terrain, state)))
+        know_tile(patch.tile);
 }
 
 void PlanetScene::update_fronts(const PlanetState& state, std::size_t tiles)
@@ -121,7 +137,7 @@ void PlanetScene::update_fronts(const PlanetState& state, std::size_t tiles)
     if (!fronts_)
         fronts_.emplace(viewed_.terrain->globe(), state.sun.direction);
     fronts_->set_sun(state.sun.direction);
-    follow_tiles(state.sun.direction);
+    follow_tiles(state);
     if (tiles == kAll)
         fronts_->settle(execution_);
     else

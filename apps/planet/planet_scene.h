@@ -53,7 +53,7 @@ public:
 private:
     void update_shadow_map(const PlanetState& state, std::size_t width, std::size_t height);
     void update_fronts(const PlanetState& state, std::size_t tiles);
-    void follow_tiles(const Vector3& to_sun);
+    void follow_tiles(const PlanetState& state);
     void know_tile(const PlanetTile& tile);
     gl::PlanetShadow shadow_of(const PlanetState& state) const;
     gl::DrawnPlanet draw_picture(const PlanetState& state, std::size_t width, std::size_t height);
@@ -65,8 +65,8 @@ private:
     gl::PlanetRenderer renderer_;
     std::optional<gl::ShadowMap> map_; ///< made when first needed, and for other options
     gl::ShadowMapOptions map_options_;
-    std::optional<PlanetShadows> fronts_;                      ///< made when first needed
-    std::unordered_map<PlanetTile, const TileHeights*> known_; ///< tiles that the fronts know
+    std::optional<PlanetShadows> fronts_;                                      ///< made when first needed
+    std::unordered_map<PlanetTile, std::shared_ptr<const TileHeights>> known_; ///< what the fronts know
 };
 
 } // namespace duskline::planet_app

@@ -152,6 +152,7 @@ const Program& PlanetRenderer::ground_program(const PlanetShadow& shadow)
     const char* kind = shadow.map != nullptr ? "1" : shadow.heights_of ? "2" : "0";
     defines.push_back({"PLANET_SHADOW", kind});
     std::vector<std::string> key;
+    key.reserve(defines.size());
     for (const ShaderDefine& define : defines)
         key.push_back(define.name + "=" + define.value);
     const auto found = ground_programs_.find(key);
