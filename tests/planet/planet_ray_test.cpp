@@ -114,6 +114,24 @@ TEST(PlanetRay, LightsAPeakAtNightAsFarAsItsHorizonDips)
     EXPECT_FALSE(rays.is_lit(at_longitude(sunset), height_m - 10.0));
 }
 
+TEST(PlanetRay, SeesTheEdgesOfTheSunsDiscBeyondAndBeforeTheTerminator)
+{
+    const MadeGround ground(kBall, {0.0F, 0.0F}, [](const Vector3&) { return 0.0; });
+    const Vector3 sun = at_longitude(-60.0);
+    for (const double raised : {0.2666, -0.2666, 0.0}) {
+        const PlanetRays rays(ground.at_level(9), sun, Angle::from_degrees(raised));
+        for (const double south : {0.0, 0.01}) { // on the equator and beside
+            const auto at = [&](double degrees) { return at_longitude(degrees) - Vector3{0.0, 0.0, south}; };
+            EXPECT_TRUE(rays.is_lit(at(30.0 + raised - 0.01), 0.0)) << raised;
+            EXPECT_FALSE(rays.is_lit(at(30.0 + raised + 0.01), 0.0)) << raised;
+        }
+        EXPECT_TRUE(rays.is_lit(at_longitude(-60.1), 0.0));
+        EXPECT_FALSE(rays.is_lit(at_longitude(120.1), 1e6));
+    }
+    EXPECT_THROW(PlanetRays(ground.at_level(0), sun, Angle::from_degrees(7.0)), InvalidInput);
+    EXPECT_THROW(PlanetRays(ground.at_level(0), {0.0, 0.0, 0.0}), InvalidInput);
+}
+
 TEST(PlanetRay, OnAnEllipsoidEndsTheDayWhereItsNormalIsAcrossTheLight)
 {
     const MadeGround ground(kWgs84, {0.0F, 0.0F}, [](const Vector3&) { return 0.0; });

@@ -14,6 +14,9 @@
 namespace duskline {
 namespace {
 
+const Vector3 kPlace = normalized({0.7, 0.5, 0.2});
+const Vector3 kLowSun = {-0.35, 0.75, 0.2};
+
 std::vector<PlanetTile> tiles_of_level(std::uint32_t level)
 {
     std::vector<PlanetTile> tiles;
@@ -140,9 +143,6 @@ std::vector<PlanetTile> tiles_around(const Vector3& place, std::uint32_t deepest
     return tiles;
 }
 
-const Vector3 kPlace = normalized({0.7, 0.5, 0.2});
-const Vector3 kLowSun = {-0.35, 0.75, 0.2};
-
 TEST(PlanetShadows, OfFineTilesAmongCoarseOnesAreNearThoseOfRaysOverFineGround)
 {
     PlanetShadows shadows(kWgs84, kLowSun);
@@ -158,6 +158,36 @@ TEST(PlanetShadows, OfFineTilesAmongCoarseOnesAreNearThoseOfRaysOverFineGround)
                     is_lit(shadows, tile, row, column) != is_lit(rays, tile, row, column) ? 1U : 0U;
             }
     EXPECT_LT(share.value(), 0.03);
+}
+
+TEST(PlanetShadows, OfTheEdgesOfTheSunsDiscAreThoseOfRaysAndEncloseThoseOfItsMiddle)
+{
+    constexpr double radius = 0.2666;
+    Share share;
+    std::vector<PlanetShadows> edges;
+    for (const double raised : {radius, 0.0, -radius}) {
+        PlanetShadows& shadows = edges.emplace_back(kWgs84, kLowSun, Angle::from_degrees(raised));
+        insert(shadows, tiles_of_level(1));
+        shadows.settle();
+        const PlanetRays rays(mountains().at_level(1), kLowSun, Angle::from_degrees(raised));
+        for (const PlanetTile& tile : tiles_of_level(1))
+            for (std::int32_t row = 0; row <= kTileSquares; row += 4)
+                for (std::int32_t column = row % 8; column <= kTileSquares; column += 8) {
+                    ++share.samples;
+                    share.wrong +=
+                        is_lit(shadows, tile, row, column) != is_lit(rays, tile, row, column) ? 1U : 0U;
+                }
+    }
+    EXPECT_LT(share.value(), 0.0005) << share.wrong << " of " << share.samples;
+    for (const PlanetTile& tile : tiles_of_level(1)) {
+        const auto upper = edges[0].shadow_of(tile)->heights_m.values();
+        const auto middle = edges[1].shadow_of(tile)->heights_m.values();
+        const auto lower = edges[2].shadow_of(tile)->heights_m.values();
+        for (std::size_t i = 0; i < middle.size(); ++i) {
+            ASSERT_LE(upper[i], middle[i]);
+            ASSERT_LE(middle[i], lower[i]);
+        }
+    }
 }
 
 // A tile, those across its edges, those across theirs and so on, and all ancestors.

@@ -8,13 +8,16 @@
 
 namespace duskline {
 
-LightAxis light_axis(const Vector3& to_sun)
+LightAxis light_axis(const Vector3& to_sun, Angle raised)
 {
     const double metres = length(to_sun);
     if (!(metres > 0.0 && std::isfinite(metres)))
         throw InvalidInput("the direction to the sun must be finite and longer than 0, got ("
                            + std::to_string(to_sun.x) + ", " + std::to_string(to_sun.y) + ", "
                            + std::to_string(to_sun.z) + ")");
+    if (!(std::abs(raised.degrees()) < 5.0))
+        throw InvalidInput("an edge of the sun's disc must be less than 5 degrees from its middle, got "
+                           + std::to_string(raised.degrees()));
     const Vector3 sun = to_sun * (1.0 / metres);
     // Any direction across will do; the coordinate that the sun is farthest from loses the fewest digits.
     const double x = std::abs(sun.x);
@@ -24,7 +27,8 @@ LightAxis light_axis(const Vector3& to_sun)
                         : y <= x         ? Vector3{0.0, 1.0, 0.0}
                                          : Vector3{1.0, 0.0, 0.0};
     const Vector3 across = normalized(cross(far, sun));
-    return {sun, across, cross(sun, across)};
+    const auto [sine, cosine] = sine_cosine(raised);
+    return {sun, across, cross(sun, across), sine, cosine};
 }
 
 Vector3 outward_at(const LightAxis& axis, double turn)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <duskline/geometry/angle.h>
 #include <duskline/planet/cube_face.h>
 
 namespace duskline {
@@ -18,11 +19,22 @@ struct LightAxis {
     Vector3 to_sun; ///< unit vectors at right angles, in the planet's frame
     Vector3 across;
     Vector3 aside;
+
+    /// Of `raised`: how much higher than the sun's middle the light stands over every horizon, as the upper edge of its disc
+    /// does; below 0 for the lower edge. In each half-plane that light has an axis of its own, turned by that angle.
+    double raised_sine = 0.0;
+    double raised_cosine = 1.0;
+
+    /// How far a point is from the axis of the raised light, when it is `away` from this axis and `along` it.
+    double from_raised_axis(double along, double away) const
+    {
+        return away * raised_cosine - along * raised_sine;
+    }
 };
 
 /// For a vector towards the sun of any length. The frame is a function of the direction alone. Throws InvalidInput
-/// unless it is finite and longer than 0.
-LightAxis light_axis(const Vector3& to_sun);
+/// unless it is finite and longer than 0, and the light is raised by less than 5 degrees, up or down.
+LightAxis light_axis(const Vector3& to_sun, Angle raised = {});
 
 /// The unit vector away from the axis at that turn. Turns that are fractions of a power of two keep their bits however
 /// they are counted.

@@ -74,14 +74,15 @@ double towards_greater_x(const FaceVector& sun, double x)
 // A tile seen by lines: rows, or columns with u and v exchanged.
 struct LineFrame {
     LinesAlong lines;
+    const LightAxis& axis;
     FaceVector sun;
     double first_x; // of cell 0
     double first_y; // of line 0
     double step;    // from cell to cell and line to line
 
-    LineFrame(const LightAxis& axis, const PlanetTile& tile, LinesAlong lines_along) : lines(lines_along)
+    LineFrame(const LightAxis& light, const PlanetTile& tile, LinesAlong lines_along)
+        : lines(lines_along), axis(light), sun(on_face(light.to_sun, tile.face, lines_along))
     {
-        sun = on_face(axis.to_sun, tile.face, lines);
         const FacePlace first = sample_place(tile, 0, 0);
         first_x = lines == LinesAlong::u ? first.u : first.v;
         first_y = lines == LinesAlong::u ? first.v : first.u;
@@ -158,6 +159,8 @@ public:
     // The shadow height of a sample where light as far from the axis as `roof` times (1, x, y) passes.
     float shadow_height_m(std::size_t line, std::size_t cell, double roof) const
     {
+        if (roof < 0.0) // opposite the sun's middle, and its edge is beyond
+            return kDeepNight_m;
         const double height_m = norm_(line, cell) * roof - base_m_(line, cell);
         return std::min(static_cast<float>(height_m), kDeepNight_m);
     }
@@ -186,8 +189,12 @@ struct Beam {
         const double x0 = way.x_at(frame.first_y);
         cell0 = (x0 - frame.first_x) / frame.step;
         cells_per_line = way.dx / way.dy;
-        part0 = way.axis_part(x0, frame.first_y);
-        part_per_line = (way.outward.x * cells_per_line + way.outward.y) * frame.step;
+        const FaceVector& sun = frame.sun;
+        part0 = frame.axis.from_raised_axis(sun.ahead + sun.x * x0 + sun.y * frame.first_y,
+                                            way.axis_part(x0, frame.first_y));
+        part_per_line = frame.axis.from_raised_axis(sun.x * cells_per_line + sun.y,
+                                                    way.outward.x * cells_per_line + way.outward.y)
+                        * frame.step;
     }
 
     double cell_at(double line) const { return cell0 + line * cells_per_line; }
@@ -518,12 +525,21 @@ private:
         if (const TileShadow* const neighbour = neighbour_across(edge))
             return neighbour->leaving.rho_at(beam.turn);
         const Vector3 direction = direction_of(tile_.face, place);
-        const double sine = dot(direction, beam.outward);
+        const double sine =
+            axis_.from_raised_axis(dot(direction, axis_.to_sun), dot(direction, beam.outward));
         if (entering_.ancestor != nullptr) // floats: where nothing has been met, a little below the centre
             return std::max(0.0, base_radius_m(globe_, direction) + ancestor_height_m(place)) * sine;
         if (dot(direction, axis_.to_sun) > 0.0)
             return 0.0;
-        return LightSection(globe_, axis_.to_sun, beam.outward).greatest_rho_m();
+        return bare_rho_m(beam.outward);
+    }
+
+    // How far the bare globe reaches from the axis.
+    double bare_rho_m(const Vector3& outward) const
+    {
+        const Vector3 sun = axis_.to_sun * axis_.raised_cosine + outward * axis_.raised_sine;
+        const Vector3 away = outward * axis_.raised_cosine - axis_.to_sun * axis_.raised_sine;
+        return LightSection(globe_, sun, away).greatest_rho_m();
     }
 
     double ancestor_height_m(FacePlace place) const
@@ -566,8 +582,11 @@ private:
         if (dot(direction, axis_.to_sun) > 0.0)
             return static_cast<float>(-globe_.equatorial_radius_m);
         const Vector3 away = direction - axis_.to_sun * dot(direction, axis_.to_sun);
-        const double sine = std::max(length(away), 1e-9);
-        const double rho_m = LightSection(globe_, axis_.to_sun, away * (1.0 / sine)).greatest_rho_m();
+        const double across = std::max(length(away), 1e-9);
+        const double sine = axis_.from_raised_axis(dot(direction, axis_.to_sun), across);
+        if (!(sine > 0.0))
+            return kDeepNight_m;
+        const double rho_m = bare_rho_m(away * (1.0 / across));
         return std::min(static_cast<float>(rho_m / sine - base_radius_m(globe_, direction)), kDeepNight_m);
     }
 

@@ -52,11 +52,11 @@ ThetaRange not_below_zero(double a, double b)
 // One walk towards the sun.
 class March {
 public:
-    March(const PlanetLevel& ground, const LightAxis& axis, const Vector3& outward, double known_rho_m,
+    March(const PlanetLevel& ground, const Vector3& to_sun, const Vector3& outward, double known_rho_m,
           bool stop_at_first)
-        : ground_(ground), axis_(axis), outward_(outward),
+        : ground_(ground), to_sun_(to_sun), outward_(outward),
           samples_(std::int64_t{kTileSquares} << ground.level), step_(2.0 / static_cast<double>(samples_)),
-          section_(ground.globe, axis.to_sun, outward),
+          section_(ground.globe, to_sun, outward),
           falling_below_(std::min(section_.widest_theta(), kPi / 2.0)), rho_m_(known_rho_m),
           stop_at_first_(stop_at_first)
     {}
@@ -113,7 +113,7 @@ private:
         ThetaRange range = {0.0, start_};
         for (const Vector3& side :
              {axes.axis + axes.right, axes.axis - axes.right, axes.axis + axes.up, axes.axis - axes.up}) {
-            const ThetaRange inside = not_below_zero(dot(axis_.to_sun, side), dot(outward_, side));
+            const ThetaRange inside = not_below_zero(dot(to_sun_, side), dot(outward_, side));
             range = {std::max(range.low, inside.low), std::min(range.high, inside.high)};
         }
         return range;
@@ -128,7 +128,7 @@ private:
 
     void cross_lines(std::uint32_t face, LinesAlong lines, ThetaRange thetas)
     {
-        const FaceVector sun = on_face(axis_.to_sun, face, lines);
+        const FaceVector sun = on_face(to_sun_, face, lines);
         const FaceVector outward = on_face(outward_, face, lines);
         const BeamLine beam(sun, outward);
         const auto line_at = [&](double theta) {
@@ -181,7 +181,7 @@ private:
                 return false;
             }
         }
-        const FaceVector sun = on_face(axis_.to_sun, face, lines);
+        const FaceVector sun = on_face(to_sun_, face, lines);
         const double theta = std::atan2(part, sun.ahead + sun.x * x + sun.y * y);
         return !(theta < falling_below_ && reach_m(theta) <= rho_m_);
     }
@@ -209,7 +209,7 @@ private:
     }
 
     const PlanetLevel& ground_;
-    const LightAxis& axis_;
+    Vector3 to_sun_;
     Vector3 outward_;
     std::int64_t samples_;
     double step_;
@@ -226,9 +226,10 @@ private:
 // Directions nearer to the axis than this have no turn about it.
 constexpr double kOnAxis = 1e-14;
 
-// A direction in its half-plane.
+// A direction in its half-plane about the axis of the raised light, and the sine and cosine of its theta there.
 struct HalfPlanePlace {
     Vector3 unit;
+    Vector3 to_sun;
     Vector3 outward;
     double sine;
     double cosine;
@@ -242,13 +243,18 @@ HalfPlanePlace half_plane_place(const LightAxis& axis, const Vector3& direction)
     Vector3 away = unit - axis.to_sun * cosine;
     away = away - axis.to_sun * dot(away, axis.to_sun);
     const double sine = length(away);
-    return {unit, sine > kOnAxis ? away * (1.0 / sine) : axis.across, sine, cosine};
+    if (sine <= kOnAxis)
+        return {unit, axis.to_sun, axis.across, 0.0, cosine};
+    const Vector3 outward = away * (1.0 / sine);
+    return {unit, axis.to_sun * axis.raised_cosine + outward * axis.raised_sine,
+            outward * axis.raised_cosine - axis.to_sun * axis.raised_sine,
+            axis.from_raised_axis(cosine, sine), cosine * axis.raised_cosine + sine * axis.raised_sine};
 }
 
 } // namespace
 
-PlanetRays::PlanetRays(PlanetLevel ground, const Vector3& to_sun)
-    : ground_(std::move(ground)), axis_(light_axis(to_sun))
+PlanetRays::PlanetRays(PlanetLevel ground, const Vector3& to_sun, Angle raised)
+    : ground_(std::move(ground)), axis_(light_axis(to_sun, raised))
 {
     require_valid(ground_.globe);
     if (ground_.level > kDeepestTileLevel)
@@ -261,9 +267,9 @@ PlanetRays::PlanetRays(PlanetLevel ground, const Vector3& to_sun)
 double PlanetRays::shadow_height_m(const Vector3& direction) const
 {
     const HalfPlanePlace place = half_plane_place(axis_, direction);
-    if (place.sine <= kOnAxis)
+    if (place.sine <= kOnAxis) // or the edge of the sun is beyond
         return place.cosine > 0.0 ? -kInfinity : kInfinity;
-    March march(ground_, axis_, place.outward, 0.0, false);
+    March march(ground_, place.to_sun, place.outward, 0.0, false);
     const double rho_m = march.greatest_rho_m(std::atan2(place.sine, place.cosine));
     return rho_m > 0.0 ? rho_m / place.sine - base_radius_m(ground_.globe, place.unit) : -kInfinity;
 }
@@ -271,10 +277,10 @@ double PlanetRays::shadow_height_m(const Vector3& direction) const
 bool PlanetRays::is_lit(const Vector3& direction, double height_m) const
 {
     const HalfPlanePlace place = half_plane_place(axis_, direction);
-    if (place.sine <= kOnAxis)
+    if (place.sine <= kOnAxis) // or the edge of the sun is beyond
         return place.cosine > 0.0;
     const double own_rho_m = (base_radius_m(ground_.globe, place.unit) + height_m) * place.sine;
-    March march(ground_, axis_, place.outward, own_rho_m, true);
+    March march(ground_, place.to_sun, place.outward, own_rho_m, true);
     return !(march.greatest_rho_m(std::atan2(place.sine, place.cosine)) > own_rho_m);
 }
 

@@ -32,7 +32,8 @@ struct PlanetLevel {
 class PlanetRays {
 public:
     /// Throws InvalidInput for a globe, level or direction out of range, or an empty range of heights.
-    PlanetRays(PlanetLevel ground, const Vector3& to_sun);
+    /// `raised`: see LightAxis.
+    PlanetRays(PlanetLevel ground, const Vector3& to_sun, Angle raised = {});
 
     /// The height above the ellipsoid under which a point in that direction is in shadow: minus infinity where nothing stands
     /// nearer to the sun (under the sun itself), plus infinity on the axis of the planet's shadow.

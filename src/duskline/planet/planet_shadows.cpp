@@ -16,6 +16,7 @@ namespace duskline {
 
 namespace {
 
+// Of one object, whose light is always raised alike.
 bool is_same(const LightAxis& a, const LightAxis& b)
 {
     return a.to_sun.x == b.to_sun.x && a.to_sun.y == b.to_sun.y && a.to_sun.z == b.to_sun.z;
@@ -39,8 +40,8 @@ struct PlanetShadows::Task {
     std::vector<PlanetTile> sources; ///< where light comes from
 };
 
-PlanetShadows::PlanetShadows(const Globe& globe, const Vector3& to_sun)
-    : globe_(globe), shown_{light_axis(to_sun), {}, {}, false}, wanted_(shown_.axis)
+PlanetShadows::PlanetShadows(const Globe& globe, const Vector3& to_sun, Angle raised)
+    : globe_(globe), raised_(raised), shown_{light_axis(to_sun, raised), {}, {}, false}, wanted_(shown_.axis)
 {
     require_valid(globe);
 }
@@ -78,7 +79,7 @@ void PlanetShadows::for_generations(const Change& change)
 
 void PlanetShadows::set_sun(const Vector3& to_sun)
 {
-    wanted_ = light_axis(to_sun);
+    wanted_ = light_axis(to_sun, raised_);
 }
 
 std::size_t PlanetShadows::update(std::size_t tiles, const Execution& execution)

@@ -33,7 +33,9 @@ namespace duskline {
 class PlanetShadows {
 public:
     /// Throws InvalidInput for a globe or sun out of range.
-    PlanetShadows(const Globe& globe, const Vector3& to_sun);
+    /// With `raised`, those of an edge of the sun's disc (see LightAxis), for half-shadows: 0.2666 degrees for the upper one,
+    /// under which nothing of the sun is seen, and minus as much for the lower, above which all of it is.
+    PlanetShadows(const Globe& globe, const Vector3& to_sun, Angle raised = {});
 
     /// A tile is there from now on, or has other heights. Tiles may come in any order; those of level 0 should be there always.
     void insert(const PlanetTile& tile, std::shared_ptr<const TileHeights> heights);
@@ -93,6 +95,7 @@ private:
 
     Globe globe_;
     std::unordered_map<PlanetTile, Ground> tiles_;
+    Angle raised_;
     Generation shown_;
     std::optional<Generation> coming_;
     LightAxis wanted_;
