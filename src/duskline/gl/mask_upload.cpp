@@ -21,6 +21,7 @@ Texture MaskUpload::new_texture()
     Texture texture(TextureFormat::r8, bytes_.columns(), bytes_.rows());
     std::ranges::fill(bytes_.values(), std::uint8_t{255});
     texture.upload(bytes_);
+    texture.set_filter(Texture::Filter::linear);
     return texture;
 }
 

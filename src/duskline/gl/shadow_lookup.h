@@ -9,7 +9,7 @@ class SilhouettePasses;
 /// In what form a technique leaves its shadows for shaders: SHADOW_LOOKUP of terrain_lit.glsl.
 enum class ShadowLookup {
     none,        ///< nothing: all is lit
-    mask,        ///< r8, 0 in shadow, 1 in the light and for no data
+    mask,        ///< r8, 0 in shadow, 1 in the light and for no data; filtered linearly
     heights,     ///< r32f, heights of shadow: lit is what lies at or above
     limbs,       ///< rg32f, those below which all of the light's disc is hidden, and above which nothing is
     silhouettes, ///< a silhouette map, which every pixel looks itself up in

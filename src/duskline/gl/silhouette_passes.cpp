@@ -263,8 +263,10 @@ void SilhouettePasses::bind(const Program& program, int first_unit) const
 
 const Texture& SilhouettePasses::State::answered(const Program& program)
 {
-    if (!mask || mask->texture.width() != heights->width() || mask->texture.height() != heights->height())
+    if (!mask || mask->texture.width() != heights->width() || mask->texture.height() != heights->height()) {
         mask.emplace(TextureFormat::r8, heights->width(), heights->height());
+        mask->texture.set_filter(Texture::Filter::linear);
+    }
     if (uniform) {
         const float lit = *uniform == Lit::yes ? 1.0f : 0.0f;
         mask->framebuffer.clear({lit, lit, lit, lit});

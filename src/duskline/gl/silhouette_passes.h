@@ -42,9 +42,9 @@ public:
     /// The same laid out as SilhouetteMap::texels(), read back from the card.
     Grid<SilhouetteTexel> read_texels() const;
 
-    /// Looks up every cell: r8, 0 in shadow, 1 in the light and for no data; 0 everywhere for a light at or below the
-    /// horizon. In single precision: a cell whose ray touches the ground within rounding may differ from the caster's.
-    /// Throws InvalidInput before the first `build`.
+    /// Looks up every cell: r8, filtered linearly, 0 in shadow, 1 in the light and for no data; 0 everywhere for a light at
+    /// or below the horizon. In single precision: a cell whose ray touches the ground within rounding may differ from the
+    /// caster's. Throws InvalidInput before the first `build`.
     const Texture& mask();
 
     /// The same by the full scan of every line, without the map.

@@ -72,22 +72,26 @@ bool is_lit(ivec2 at)
 }
 
 #else
-#define IS_MASK (SHADOW_LOOKUP == 1 || SHADOW_LOOKUP == 7 || SHADOW_LOOKUP == 8)
+#define IS_MASK (SHADOW_LOOKUP == 1 || SHADOW_LOOKUP == 7)
 uniform sampler2D shadow;
 uniform sampler2D later_shadow;
 uniform float later_share;
 uniform float shadow_drop_m; // the height a shadow loses over the diagonal of a cell
 
 #if IS_MASK
-// What a mask says between the four cells around, 0 to 1; those without data do not count.
-float mask_between(sampler2D mask, vec2 cell)
+// -1 in shadow, 1 in the light, between cells as texture units interpolate. Cells without data are lit: the edge beside
+// them is where the ground ends.
+float clearance_between(sampler2D mask, vec2 cell)
+{
+    return 2.0 * textureLod(mask, (cell + 0.5) / vec2(textureSize(mask, 0)), 0.0).r - 1.0;
+}
+#elif SHADOW_LOOKUP == 8
+// The visible part between the four cells around; those without data do not count.
+float fraction_between(vec2 cell)
 {
     vec2 corner = corner_of_four(cell);
-    vec4 answers = textureGather(mask, corner);
-    if (all(equal(answers, answers.yzwx))) // nearly everywhere
-        return answers.x;
     vec4 shares = shares_of_known(shares_of_four(fract(cell)), textureGather(heights_m, corner));
-    return dot(shares, vec4(1.0)) > 0.0 ? mean_of_four(answers, shares) : 1.0;
+    return dot(shares, vec4(1.0)) > 0.0 ? mean_of_four(textureGather(shadow, corner), shares) : 1.0;
 }
 #else
 // How far the ground lies above its shadow: 1 or more far above, -1 far below. Only what a shadow loses over a cell
@@ -128,12 +132,12 @@ float sharpened(float clearance, float width)
 float lit_at(vec2 cell, float width)
 {
 #if SHADOW_LOOKUP == 1
-    return sharpened(2.0 * mask_between(shadow, cell) - 1.0, width);
+    return sharpened(clearance_between(shadow, cell), width);
 #elif SHADOW_LOOKUP == 7
-    return mix(sharpened(2.0 * mask_between(shadow, cell) - 1.0, width),
-               sharpened(2.0 * mask_between(later_shadow, cell) - 1.0, width), later_share);
+    return mix(sharpened(clearance_between(shadow, cell), width),
+               sharpened(clearance_between(later_shadow, cell), width), later_share);
 #elif SHADOW_LOOKUP == 8
-    return mask_between(shadow, cell);
+    return fraction_between(cell);
 #elif SHADOW_LOOKUP == 2
     return sharpened(clearance_between(cell), width);
 #else
@@ -141,18 +145,17 @@ float lit_at(vec2 cell, float width)
 #endif
 }
 
-// Over a pixel that is so large on the ground (columns and rows from pixel to pixel).
+// Over a pixel that is so large on the ground (columns and rows from pixel to pixel): the mean of four places in it, which
+// are one where it is smaller than a cell.
 float lit_over(vec2 cell, vec2 across, vec2 down)
 {
     float width = max(length(across), length(down));
-    if (width < 1.0)
-        return lit_at(cell, width);
-    float sum = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        vec2 offset = vec2[](vec2(-0.375, -0.125), vec2(0.125, -0.375), vec2(0.375, 0.125), vec2(-0.125, 0.375))[i];
-        sum += lit_at(cell + offset.x * across + offset.y * down, 0.5 * width);
-    }
-    return 0.25 * sum;
+    float spread = width < 1.0 ? 0.0 : 1.0;
+    float edge = width < 1.0 ? width : 0.5 * width;
+    vec2 one = spread * (0.375 * across + 0.125 * down);
+    vec2 other = spread * (0.125 * across - 0.375 * down);
+    return 0.25 * (lit_at(cell - one, edge) + lit_at(cell + other, edge) + lit_at(cell + one, edge)
+                   + lit_at(cell - other, edge));
 }
 
 // The yes or no of a cell, as a mask has it.
