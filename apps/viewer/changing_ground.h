@@ -31,6 +31,9 @@ public:
     const Terrain& terrain() const { return seen_; }
     const Picture& colours() const { return picture_; }
 
+    /// Before it moved and was lowered; level water is level in it.
+    HeightField at_rest() const { return still_; }
+
     /// Takes the ground to that second of a motion, of which `kNoMotion` is none. Returns the cells whose heights may
     /// have changed. Throws InvalidInput for a name there is not.
     CellRectangle move_to(std::string_view motion, double seconds);

@@ -5,6 +5,7 @@
 #include "parse_arguments.h"
 #include "render_picture.h"
 #include "report.h"
+#include "soak.h"
 #include "viewer_options.h"
 #include "window.h"
 
@@ -23,6 +24,8 @@ void look(const ViewerOptions& options)
     cli::Report report("view", options.run, kProgram);
     if (!options.render.empty())
         render_picture(options, report);
+    else if (options.soak_s)
+        soak(options, report);
     else if (options.flyby_frames)
         fly_by(options, report);
     else

@@ -152,6 +152,7 @@ void draw_motion(ViewerState& state)
         ImGui::EndCombo();
     }
     slider("Speed", state.animation_speed, 0.0, 4.0, "%.2f");
+    ImGui::Checkbox("Trees, towers, aircraft, clouds", &state.objects);
 }
 
 void draw_figures(const FrameFigures& figures)
@@ -179,6 +180,7 @@ void draw_help(bool& open)
              "Tab                next technique\n"
              "X                  mark what is wrong\n"
              "M                  let the ground move, the next way\n"
+             "O                  trees, towers, an aircraft, clouds\n"
              "Space              let the clock run\n"
              "R                  record a flight, stop\n"
              "F1                 these keys\n"

@@ -38,7 +38,8 @@ float usual_exaggeration(const HeightField& field)
 
 Scene::Scene(ViewedTerrain& viewed, const SunClock& clock, const gl::ShaderSources& sources)
     : viewed_(viewed), clock_(clock), sources_(sources), field_(viewed.ground->terrain()),
-      textures_(field_, viewed.ground->colours().view()), renderer_(sources, textures_)
+      textures_(field_, viewed.ground->colours().view()), renderer_(sources, textures_),
+      scenery_(usual_scenery(viewed.ground->at_rest()))
 {}
 
 void Scene::choose_technique(const ViewerState& state)
@@ -48,6 +49,8 @@ void Scene::choose_technique(const ViewerState& state)
     const gl::ShadowTechniqueKind& kind = gl::shadow_technique_named(state.technique);
     technique_ = kind.make(sources_, textures_, state.soft && kind.has_soft_edges);
     technique_name_ = state.technique;
+    if (soft_ != state.soft)
+        object_sweep_.reset();
     soft_ = state.soft;
     cast_light_ = std::nullopt;
     course_asked_ = {};
@@ -87,6 +90,11 @@ std::optional<double> time_pass(PassTimer& timer, bool wait, const Work& work)
 
 namespace {
 
+bool has_heights(gl::ShadowLookup lookup)
+{
+    return lookup == gl::ShadowLookup::heights || lookup == gl::ShadowLookup::limbs;
+}
+
 bool has_cells(const CellRectangle& rectangle)
 {
     return rectangle.rows > 0 && rectangle.columns > 0;
@@ -120,6 +128,10 @@ FrameCost Scene::cast(const ViewerState& state, bool wait)
     set_course(state);
     FrameCost cost = cast_changes(changed, clock_.on_grid(state.light), wait);
     cost.ground_ms = has_cells(changed) ? ground_ms : 0.0;
+    if (cost.cast_ms > 0.0)
+        object_heights_ = nullptr;
+    if (state.objects)
+        cost.cast_ms += cast_for_objects(wait);
     if (state.difference)
         true_mask();
     return cost;
@@ -160,13 +172,52 @@ void Scene::settle()
         technique_->advance(kAdvanceInAFrame);
 }
 
+// Objects ask for shadow heights. Where the technique leaves none, those of the sweep are found besides.
+double Scene::cast_for_objects(bool wait)
+{
+    if (!objects_)
+        objects_.emplace(sources_, textures_, std::move(scenery_));
+    const gl::ShadowLookup lookup = technique_->shadow().lookup;
+    if (object_heights_ != nullptr || lookup == gl::ShadowLookup::none || has_heights(lookup))
+        return 0.0;
+    return milliseconds([&] {
+        if (!object_sweep_)
+            object_sweep_.emplace(sources_, gl::ShadowSweepOptions{.limbs = soft_});
+        object_heights_ = &object_sweep_->cast(textures_.heights(), field_.cell_size_m, *cast_light_);
+        if (wait)
+            gl::wait_until_done();
+    });
+}
+
+const gl::Texture* Scene::heights_for_objects() const
+{
+    const gl::TerrainShadow shadow = technique_->shadow();
+    if (shadow.lookup == gl::ShadowLookup::none)
+        return nullptr;
+    return has_heights(shadow.lookup) ? shadow.texture : object_heights_;
+}
+
+bool Scene::reload_shaders()
+{
+    const bool objects = objects_ && objects_->reload_if_changed();
+    const bool sweep = object_sweep_ && object_sweep_->reload_if_changed(sources_);
+    return renderer_.reload_if_changed() || objects || sweep;
+}
+
 FrameCost Scene::draw(const ViewerState& state, std::size_t width, std::size_t height, bool wait)
 {
+    gl::require_context_kept();
     FrameCost cost;
-    const gl::TerrainView view = {state.camera, width, height, state.pixel_error};
+    gl::TerrainView view = {state.camera, width, height, state.pixel_error};
+    const bool with_objects = state.objects && objects_;
+    if (with_objects)
+        view.others = height_range(objects_->scenery(), renderer_.heights());
     const gl::Texture* truth = state.difference ? truth_->shadow().texture : nullptr;
     cost.draw_gpu_ms = time_pass(draw_timer_, wait, [&] {
-        cost.mesh = renderer_.draw(view, light_of(state), technique_->shadow(), truth);
+        const gl::TerrainLight light = light_of(state);
+        cost.mesh = renderer_.draw(view, light, technique_->shadow(), truth);
+        if (with_objects)
+            objects_->draw(view, renderer_.depths(view), light, heights_for_objects(), state.animation_s);
     });
     return cost;
 }
@@ -241,6 +292,7 @@ ViewerState first_state(const ViewerOptions& options, const ViewedTerrain& viewe
     state.animation_speed = options.animation_speed.value_or(state.animation_speed);
     state.soft = state.soft || options.soft;
     state.light_maps = options.light_maps.value_or(state.light_maps);
+    state.objects = state.objects || options.objects;
     state.difference = state.difference || options.difference;
     clock.bring_up_to_date(state.light);
     return state;

@@ -5,6 +5,8 @@
 #include "viewer_state.h"
 
 #include <duskline/gl/exact_upload.h>
+#include <duskline/gl/scene_objects.h>
+#include <duskline/gl/shadow_sweep.h>
 #include <duskline/gl/shadow_technique.h>
 #include <duskline/gl/terrain_renderer.h>
 #include <duskline/gl/timer_query.h>
@@ -58,7 +60,7 @@ public:
     /// How much of that is done, 0 to 1; below 1 the next frame will differ.
     double done() const { return technique_ ? technique_->done() : 1.0; }
 
-    /// Draws a picture of that size into the current framebuffer.
+    /// Draws a picture of that size into the current framebuffer. Throws UnsupportedOnThisMachine when the context is lost.
     FrameCost draw(const ViewerState& state, std::size_t width, std::size_t height, bool wait = false);
 
     /// A stroke of a brush at a place in cells; the next cast takes it up.
@@ -72,7 +74,7 @@ public:
     std::optional<double> black_share() const { return technique_->black_share(); }
 
     /// Takes up shader files that have changed on disk.
-    bool reload_shaders() { return renderer_.reload_if_changed(); }
+    bool reload_shaders();
 
     const HeightField& field() const { return field_; }
 
@@ -83,6 +85,8 @@ private:
 
     FrameCost cast_changes(const CellRectangle& changed, const DirectionalLight& light, bool wait);
     void upload_ground(const CellRectangle& changed);
+    double cast_for_objects(bool wait);
+    const gl::Texture* heights_for_objects() const;
 
     ViewedTerrain& viewed_;
     const SunClock& clock_;
@@ -90,6 +94,10 @@ private:
     HeightField field_;
     gl::TerrainTextures textures_;
     gl::TerrainRenderer renderer_;
+    Scenery scenery_;                             ///< of the ground as it was first
+    std::optional<gl::SceneObjects> objects_;     ///< made when first asked for
+    std::optional<gl::ShadowSweep> object_sweep_; ///< for techniques that leave no shadow heights
+    const gl::Texture* object_heights_ = nullptr; ///< its own, of the current light and ground
     PassTimer cast_timer_;
     PassTimer draw_timer_;
     std::unique_ptr<gl::ShadowTechnique> technique_;

@@ -77,6 +77,9 @@ void add_look(CLI::App& app, ViewerOptions& options)
                  "mark what differs from the exact shadows: red where they are missing, blue where there are "
                  "too many")
         ->group(kLook);
+    app.add_flag("--objects", options.objects,
+                 "trees, towers, an aircraft and clouds, in the terrain's shadow; larger than life")
+        ->group(kLook);
     app.add_option("--animate", options.animation,
                    "how the ground moves, shadows and all: " + motion_list() + "; else it keeps still")
         ->type_name("NAME")
@@ -132,6 +135,22 @@ void add_headless(CLI::App& app, ViewerOptions& options)
            "third, ...: seconds of finding shadows and drawing; at least two frames are flown")
         ->type_name("SECONDS")
         ->group(kHeadless);
+    cli::add_number(app,
+                    {.names = "--soak",
+                     .unit = "SECONDS",
+                     .text =
+                         "use everything at random for so long, and fail when OpenGL complains or anything "
+                         "is left over",
+                     .range = {0.0, 1e6, true}},
+                    options.soak_s)
+        ->group(kHeadless);
+    app.add_option_function<std::string>(
+           "--seed",
+           [&options](const std::string& typed) { options.seed = cli::parse_count("--seed", typed, 0); },
+           "of --soak: the same random use for the same number")
+        ->type_name("N")
+        ->default_str("1")
+        ->group(kHeadless);
     app.add_option("--report", options.report, "write the figures of --flyby to a JSON file")
         ->type_name("FILE")
         ->group(kHeadless);
@@ -167,6 +186,8 @@ void require_consistent(const ViewerOptions& options)
 {
     if (!options.render.empty() && options.flyby_frames)
         throw UsageError("give --render or --flyby, not both");
+    if (options.soak_s && (!options.render.empty() || options.flyby_frames))
+        throw UsageError("--soak goes alone: leave --render and --flyby out");
     if (!options.flyby_frames && (!options.report.empty() || !options.frames.empty()))
         throw UsageError("--report and --frames say where --flyby leaves what it finds: give --flyby FRAMES");
     if (!options.flyby_frames && options.at_most_s)

@@ -25,6 +25,7 @@ struct ViewerOptions {
     bool soft = false;
     std::optional<std::size_t> light_maps;
     bool difference = false;
+    bool objects = false;
     std::string animation; ///< empty: of the state
     std::optional<double> animation_s;
     std::optional<double> animation_speed;
@@ -32,6 +33,8 @@ struct ViewerOptions {
     std::string flight; ///< a file with the poses of a flight
     std::string render; ///< a picture to write, without a window
     std::optional<std::size_t> flyby_frames;
+    std::optional<double> soak_s;    ///< how long to use everything at random
+    std::size_t seed = 1;            ///< of that
     std::optional<double> at_most_s; ///< what flying one technique's frames may take
     std::string report;              ///< a file for the figures of a fly-by
     std::string frames;              ///< a folder for its pictures

@@ -184,6 +184,7 @@ ViewerState read_state(const std::string& path, const ViewerState& otherwise)
     state.animation = animation_of(reader, state.animation);
     reader.number("animation_s", state.animation_s, -1e9, 1e9);
     reader.number("animation_speed", state.animation_speed, 0.0, 100.0);
+    reader.flag("objects", state.objects);
     reader.number("clock_s_per_s", state.clock_s_per_s, -1e6, 1e6);
     reader.number("ambient", state.ambient, 0.0, 0.99);
     reader.number("exposure", state.exposure, 0.01, 100.0);
@@ -206,6 +207,7 @@ void write_state(const std::string& path, const ViewerState& state)
                       {"animation", state.animation},
                       {"animation_s", state.animation_s},
                       {"animation_speed", state.animation_speed},
+                      {"objects", state.objects},
                       {"clock_s_per_s", state.clock_s_per_s},
                       {"ambient", state.ambient},
                       {"exposure", state.exposure},

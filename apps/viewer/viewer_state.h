@@ -29,6 +29,7 @@ struct ViewerState {
     std::string animation{kNoMotion}; ///< of the ground
     double animation_s = 0.0;         ///< its second, and that of whatever else moves by itself
     double animation_speed = 1.0;     ///< seconds of it in a second
+    bool objects = false;             ///< trees, towers, an aircraft and clouds
     double clock_s_per_s = 600.0;     ///< how fast the clock runs
     float ambient = 0.28f;            ///< 0 to below 1
     float exposure = 1.0f;            ///< above 0

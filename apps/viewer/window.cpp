@@ -71,7 +71,10 @@ private:
         return still_frames_ > 3;
     }
 
-    bool is_animated() const { return state_.animation != kNoMotion && state_.animation_speed != 0.0; }
+    bool is_animated() const
+    {
+        return (state_.animation != kNoMotion || state_.objects) && state_.animation_speed != 0.0;
+    }
 
     void frame()
     {
@@ -143,6 +146,8 @@ private:
             state_.difference = !state_.difference;
         if (pressed(GLFW_KEY_M))
             next_animation();
+        if (pressed(GLFW_KEY_O))
+            state_.objects = !state_.objects;
         if (pressed(GLFW_KEY_SPACE))
             activity_.clock_runs = !activity_.clock_runs;
         if (pressed(GLFW_KEY_F1))

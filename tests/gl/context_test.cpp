@@ -1,7 +1,10 @@
 #include "gl/gl_test.h"
 
 #include <duskline/geometry/invalid_input.h>
+#include <duskline/gl/buffer.h>
 #include <duskline/gl/context.h>
+#include <duskline/gl/framebuffer.h>
+#include <duskline/gl/live_objects.h>
 #include <duskline/gl/texture.h>
 #include <duskline/gl/timer_query.h>
 
@@ -43,6 +46,28 @@ TEST_F(Context, NoneIsSaidInWords)
     }
     EXPECT_THAT([] { current_context(); },
                 ThrowsMessage<UnsupportedOnThisMachine>(HasSubstr("no OpenGL context is current")));
+}
+
+TEST_F(Context, IsKeptWhileNothingHappensToIt)
+{
+    EXPECT_NO_THROW(require_context_kept());
+}
+
+TEST_F(Context, CountsTheObjectsThatAreThere)
+{
+    const LiveObjects before = live_objects();
+    {
+        const Texture texture(TextureFormat::r32f, 4, 4);
+        const Framebuffer framebuffer({&texture});
+        Buffer buffer(16);
+        buffer.bind_as_storage(0);
+        const LiveObjects with = live_objects();
+        EXPECT_EQ(with.textures, before.textures + 1);
+        EXPECT_EQ(with.framebuffers, before.framebuffers + 1);
+        EXPECT_EQ(with.buffers, before.buffers + 1);
+        EXPECT_EQ(with.programs, before.programs);
+    }
+    EXPECT_EQ(live_objects(), before);
 }
 
 TEST_F(Context, ComplaintsOfTheDriverAreHeard)

@@ -2,6 +2,7 @@
 
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/buffer.h>
+#include <duskline/gl/live_objects.h>
 #include <duskline/gl/program.h>
 
 #include <gmock/gmock.h>
@@ -147,6 +148,17 @@ TEST_F(LiveReload, FollowsFilesAndKeepsWhatWorked)
     EXPECT_THROW(program.reload_if_changed(sources), ShaderError);
     EXPECT_FALSE(program.reload_if_changed(sources)); // said once
     EXPECT_EQ(answers_of(program, 3.0f).front(), -3.0f);
+}
+
+TEST_F(ProgramTest, GoesAtOnceEvenWhenItIsCurrent)
+{
+    const LiveObjects before = live_objects();
+    {
+        const Program program(ShaderSources(), {.stages = {"full_screen.vert.glsl", "sky.frag.glsl"}});
+        program.use();
+        EXPECT_EQ(live_objects().programs, before.programs + 1);
+    }
+    EXPECT_EQ(live_objects(), before);
 }
 
 } // namespace

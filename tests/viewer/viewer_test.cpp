@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 namespace duskline::viewer_test {
@@ -147,6 +148,51 @@ TEST_F(Viewer, SaysWhatToDoWithoutADisplay)
         run_program({"sh", "-c", "unset DISPLAY WAYLAND_DISPLAY; exec \"$DUSKLINE\" dem.tif"});
     EXPECT_EQ(finished.exit_code, 5);
     EXPECT_THAT(finished.err, HasSubstr("--render and --flyby need no display"));
+}
+
+// What the driver is told here comes from the environment, which drivers other than Mesa's do not read.
+TEST_F(Viewer, SaysWhatToDoWithTooOldAnOpenGlOrNone)
+{
+    const auto in = [&](const std::string& environment) {
+        return run_program(
+            {"sh", "-c", environment + " exec \"$DUSKLINE\" dem.tif --render p.png --size 16x16"});
+    };
+    for (const std::string environment :
+         {"MESA_GL_VERSION_OVERRIDE=4.2", "__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere.json"}) {
+        const Finished finished = in(environment);
+        if (finished.exit_code == 0)
+            GTEST_SKIP() << "this driver takes no orders";
+        EXPECT_EQ(finished.exit_code, 5) << environment;
+        EXPECT_THAT(finished.err, StartsWith("duskline-viewer: no device for OpenGL 4.3 without a window"));
+        EXPECT_EQ(std::ranges::count(finished.err, '\n'), 1) << finished.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder() / "p.png"));
+}
+
+TEST_F(Viewer, HoldsOutRandomUse)
+{
+    const Finished finished = run({"dem.tif", "--soak", "5", "--seed", "3", "--json"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    const auto report = nlohmann::json::parse(finished.out);
+    EXPECT_GT(report["frames"], 5);
+    EXPECT_GE(report["resident_mib"].size(), 1U);
+    expect_error({"dem.tif", "--soak", "5", "--flyby", "5"}, 2, "--soak goes alone");
+    expect_error({"dem.tif", "--soak", "0"}, 2, "--soak");
+}
+
+TEST_F(Viewer, ShowsThingsInTheShadowOfTheTerrain)
+{
+    const Arguments low = {"--azimuth", "200", "--altitude", "6"};
+    const auto with = [&](const std::string& name, Arguments options) {
+        options.insert(options.end(), low.begin(), low.end());
+        return rendered(name, options);
+    };
+    const auto none = with("none.png", {});
+    const auto exact = with("exact.png", {"--objects"});
+    EXPECT_NE(exact, none);
+    EXPECT_NE(exact, with("lit.png", {"--objects", "--technique", "none"}));
+    // Beside masks the things have the sweep's shadow heights.
+    EXPECT_NE(with("later.png", {"--objects", "--animate-from", "7"}), exact);
 }
 
 TEST_F(Viewer, ReportsAFlightWithEveryTechnique)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Opens duskline-viewer in a window of a virtual display and uses it as hands would: drags the sun, raises the ground, changes the
-technique, takes screenshots, leaves. Skipped (77) where there is no Xvfb or xdotool.
+"""Opens duskline-viewer in a window of a virtual display and uses it as hands would: drags the sun, raises the ground and lets it
+move, changes the technique, shows things, takes screenshots, leaves. Skipped (77) where there is no Xvfb or xdotool.
 
 usage: window_test.py VIEWER
 """
@@ -74,6 +74,12 @@ def use(display, viewer, folder):
         new = display.hold("F12", lambda: set(folder.glob("duskline-0*.png")) - before, "a screenshot")
         return new.pop().read_bytes()
 
+    def press(key):
+        display.do("keydown", key)
+        time.sleep(1.0)
+        display.do("keyup", key)
+        time.sleep(0.3)
+
     window = wait_until(lambda: display.do("search", "--name", "Duskline: ").split(), "the window")[0]
     display.do("windowfocus", window)
     display.do("mousemove", 500, 300)
@@ -116,15 +122,39 @@ def use(display, viewer, folder):
     assert saved_state() == turned
     assert screenshot() != level
 
-    display.do("keydown", "Tab")
-    time.sleep(1.5)
-    display.do("keyup", "Tab")
-    time.sleep(0.5)
-    assert saved_state()["technique"] not in ("exact", "none")
+    # Tab: every technique in turn, and the first again.
+    techniques = ["exact"]
+    while techniques[-1] != "exact" or len(techniques) == 1:
+        press("Tab")
+        techniques.append(saved_state()["technique"])
+        assert len(techniques) < 30, techniques
+    assert len(set(techniques)) == len(techniques) - 1, techniques
+    assert {"none", "sweep", "full-scan", "smap-quad"} < set(techniques), techniques
+
+    # O: things appear. M: the ground moves, time passes, the picture with it.
+    bare = screenshot()
+    press("o")
+    assert saved_state()["objects"]
+    assert screenshot() != bare
+    press("m")
+    moving = saved_state()
+    assert moving["animation"] == "crater", moving
+    time.sleep(1.0)
+    assert saved_state()["animation_s"] > moving["animation_s"]
+    assert len(screenshot()) > 5000
 
     display.do("keydown", "Escape")
     code = viewer.wait(PATIENCE_S)
     assert code == 0, f"left with {code}"
+
+
+def expect_refusal(program, display, folder):
+    """An OpenGL that is too old is one line and exit code 5; drivers other than Mesa's do not take the order."""
+    environment = {**display.environment, "MESA_GL_VERSION_OVERRIDE": "4.2"}
+    refused = subprocess.run([program, "hill.asc"], cwd=folder, env=environment, capture_output=True, text=True, timeout=PATIENCE_S)
+    assert refused.returncode == 5, refused
+    assert refused.stderr.startswith("duskline-viewer: no window with OpenGL 4.3 can be opened"), refused.stderr
+    assert refused.stderr.count("\n") == 1, refused.stderr
 
 
 def look(program, display, folder):
@@ -147,9 +177,10 @@ def main(program):
         display = Display()
         try:
             look(program, display, folder)
+            expect_refusal(program, display, folder)
         finally:
             display.close()
-    print("the sun was dragged, the ground raised, the technique changed, pictures taken")
+    print("the sun was dragged, the ground raised and set in motion, techniques changed, things shown, pictures taken")
 
 
 if __name__ == "__main__":

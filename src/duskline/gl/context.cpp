@@ -30,6 +30,27 @@ ContextInfo current_context()
     return info;
 }
 
+static const char* why_lost(GLenum status)
+{
+    switch (status) {
+    case GL_GUILTY_CONTEXT_RESET:
+        return "what this program asked for took too long or went wrong on the card";
+    case GL_INNOCENT_CONTEXT_RESET:
+        return "another program made the card start again";
+    default:
+        return "the driver does not say why";
+    }
+}
+
+void require_context_kept()
+{
+    const bool can_tell = epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness");
+    const GLenum status = can_tell ? glGetGraphicsResetStatus() : GL_NO_ERROR;
+    if (status != GL_NO_ERROR)
+        throw UnsupportedOnThisMachine(std::string("the OpenGL context was lost (") + why_lost(status)
+                                       + "): start again");
+}
+
 void wait_until_done()
 {
     glFinish();

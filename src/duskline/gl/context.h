@@ -24,6 +24,11 @@ struct ContextInfo {
 /// Throws UnsupportedOnThisMachine unless a context of OpenGL 4.3 or later is current on this thread.
 ContextInfo current_context();
 
+/// Throws UnsupportedOnThisMachine when the driver says that the current context is lost: reset after a hang, or the card
+/// gone. Everything that was in it is lost then, and nothing more will be drawn. Only contexts that were made to be told
+/// know (`HeadlessContext` is, and by GLFW those with GLFW_LOSE_CONTEXT_ON_RESET); of others it says nothing.
+void require_context_kept();
+
 /// Waits until everything that was asked of the graphics card is done.
 void wait_until_done();
 

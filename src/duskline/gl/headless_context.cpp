@@ -67,16 +67,25 @@ EGLContext context_on(EGLDisplay display)
     EGLConfig config = nullptr;
     EGLint configs = 0;
     eglChooseConfig(display, config_wanted.data(), &config, 1, &configs);
-    constexpr std::array<EGLint, 9> context_wanted = {EGL_CONTEXT_MAJOR_VERSION,
-                                                      4,
-                                                      EGL_CONTEXT_MINOR_VERSION,
-                                                      3,
-                                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                                      EGL_CONTEXT_OPENGL_DEBUG,
-                                                      EGL_TRUE,
-                                                      EGL_NONE};
-    return eglCreateContext(display, configs > 0 ? config : nullptr, EGL_NO_CONTEXT, context_wanted.data());
+    std::vector<EGLint> wanted = {EGL_CONTEXT_MAJOR_VERSION,
+                                  4,
+                                  EGL_CONTEXT_MINOR_VERSION,
+                                  3,
+                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                  EGL_CONTEXT_OPENGL_DEBUG,
+                                  EGL_TRUE,
+                                  EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                  EGL_LOSE_CONTEXT_ON_RESET,
+                                  EGL_NONE};
+    const auto create = [&] {
+        return eglCreateContext(display, configs > 0 ? config : nullptr, EGL_NO_CONTEXT, wanted.data());
+    };
+    const EGLContext told_when_lost = create();
+    if (told_when_lost != EGL_NO_CONTEXT)
+        return told_when_lost;
+    wanted.erase(wanted.end() - 3, wanted.end() - 1); // not every driver can tell
+    return create();
 }
 
 } // namespace

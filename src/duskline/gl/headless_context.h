@@ -7,7 +7,7 @@
 namespace duskline::gl {
 
 /// An OpenGL 4.3 core context without a window, for servers, tests and pictures: by EGL, on a graphics card or on
-/// Mesa's software renderer. It has no default framebuffer; draw into a Framebuffer.
+/// Mesa's software renderer, and where the driver can, one that is told when it is lost. It has no default framebuffer; draw into a Framebuffer.
 ///
 /// Current on the thread that made it until that thread makes another current or the object goes. Cost: some 50 ms.
 class HeadlessContext {

@@ -11,6 +11,11 @@ namespace duskline::gl {
 
 void delete_program(unsigned int name)
 {
+    // OpenGL would keep it until another is current, and whoever then puts back what was current meets a name no more.
+    GLint current = 0;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &current);
+    if (static_cast<GLuint>(current) == name)
+        glUseProgram(0);
     glDeleteProgram(name);
 }
 

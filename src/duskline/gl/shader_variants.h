@@ -17,6 +17,8 @@ struct ShaderVariant {
 inline const std::vector<ShaderVariant>& shader_variants()
 {
     static const std::vector<ShaderVariant> variants = {
+        {"cloud_layer.frag.glsl"},
+        {"cloud_layer.vert.glsl"},
         {"full_screen.vert.glsl"},
         {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "0"}}},
         {"lit_mask.frag.glsl", {{"SHADOW_LOOKUP", "1"}}},
@@ -33,6 +35,8 @@ inline const std::vector<ShaderVariant>& shader_variants()
         {"planet.vert.glsl"},
         {"planet_depth.vert.glsl"},
         {"planet_sky.frag.glsl"},
+        {"scene_object.frag.glsl"},
+        {"scene_object.vert.glsl"},
         {"shadow_map_moments.frag.glsl", {{"DUSKLINE_ROWS", "0"}}},
         {"shadow_map_moments.frag.glsl", {{"DUSKLINE_ROWS", "1"}}},
         {"sky.frag.glsl"},

@@ -33,6 +33,7 @@ struct TerrainView {
     std::size_t width = 1024; ///< of the picture, pixels
     std::size_t height = 768;
     double pixel_error = 1.5; ///< what the mesh may be wrong by; above 0
+    HeightRange others = {};  ///< of what else is drawn with the terrain and shares its depths
 };
 
 /// What was drawn.
@@ -62,6 +63,12 @@ public:
     /// The terrain alone, without what is behind it.
     DrawnMesh draw_terrain(const TerrainView& view, const TerrainLight& light, const TerrainShadow& shadow,
                            const Texture* truth = nullptr);
+
+    /// From the lowest to the highest ground, by the last `heights_changed`.
+    HeightRange heights() const { return detail_.heights(); }
+
+    /// The depths that such a view is drawn with, for whatever else is drawn into it.
+    DepthRange depths(const TerrainView& view) const;
 
     /// What the shadows say of every cell, as `draw` shows it. `unknown` where there are no data. Waits for the card.
     ShadowMask lit_mask(const TerrainShadow& shadow);

@@ -64,10 +64,11 @@ void VertexArray::set_indices(const Buffer& indices)
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name()); // part of the vertex array
 }
 
-void VertexArray::draw(Shape shape, std::size_t first, std::size_t count) const
+void VertexArray::draw(Shape shape, std::size_t first, std::size_t count, std::size_t instances) const
 {
     const BoundVertexArray bound(*this);
-    glDrawArrays(mode_of(shape), static_cast<GLint>(first), static_cast<GLsizei>(count));
+    glDrawArraysInstanced(mode_of(shape), static_cast<GLint>(first), static_cast<GLsizei>(count),
+                          static_cast<GLsizei>(instances));
 }
 
 void VertexArray::draw_indexed(Shape shape, std::size_t first_index, std::size_t count,

@@ -26,8 +26,8 @@ public:
     enum class Shape { points, lines, line_strip, triangles, triangle_strip };
 
     /// Draws with the current program into the current framebuffer.
-    void draw(Shape shape, std::size_t first, std::size_t count) const;
-    /// The same so many times; gl_InstanceID tells the shader which time it is.
+    /// So many times; gl_InstanceID tells the shader which time it is.
+    void draw(Shape shape, std::size_t first, std::size_t count, std::size_t instances = 1) const;
     void draw_indexed(Shape shape, std::size_t first_index, std::size_t count,
                       std::size_t instances = 1) const;
 
