@@ -76,13 +76,15 @@ vec3 light_on(vec3 outwards, float lit)
 {
     vec3 facing = normalize(normal);
     float sine = dot(outwards, towards_sun);
-    vec3 sun = sunlight_at(outwards, height_m) * max(0.0, dot(facing, towards_sun)) * lit;
+    // Eyes take low light for brighter than it is.
+    float direct = max(0.0, dot(facing, towards_sun));
+    vec3 sun = sunlight_at(outwards, height_m) * (2.4 * direct / (0.5 + direct)) * lit;
     float day = air ? smoothstep(-0.12, 0.25, sine) : smoothstep(0.0, 0.1, sine);
     // The sky is brighter towards the sun.
     vec3 bright_sky = normalize(outwards + 0.7 * (towards_sun - sine * outwards));
     float open = air ? pow(0.5 + 0.5 * dot(facing, bright_sky), 2.0) : 0.5 + 0.5 * dot(facing, outwards);
     vec3 sky = mix(vec3(1.0), vec3(0.84, 0.95, 1.14), air ? 1.0 : 0.0) * (ambient * day * open);
-    return sun * (1.0 - ambient) * 1.6 + sky + vec3(0.004, 0.006, 0.012);
+    return sun * (1.0 - ambient) + sky + vec3(0.004, 0.006, 0.012);
 }
 
 void main()
