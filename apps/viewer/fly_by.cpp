@@ -24,7 +24,8 @@
 namespace duskline::viewer {
 namespace {
 
-constexpr std::size_t kCompared = 8;      // frames of a flight whose masks are compared with the truth
+// Of a flight, frames whose masks are compared with the truth: 7, so that the light of few is that of a map made before.
+constexpr std::size_t kCompared = 7;
 constexpr std::size_t kTrials = 3;        // of a flight that may take no longer than so much
 constexpr double kFramesPerSecond = 25.0; // of animations
 constexpr double kClearanceOverCells = 1.0;
