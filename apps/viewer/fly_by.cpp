@@ -153,7 +153,7 @@ private:
         target_.begin();
         if (!flight.still)
             state.light.azimuth_deg += 1.0;
-        scene_.cast(state, true);
+        scene_.cast(state, options_.width, options_.height, true);
         scene_.settle();
         scene_.draw(state, options_.width, options_.height, true);
     }
@@ -167,7 +167,7 @@ private:
         {
             const cli::Stopwatch watch(seconds);
             target_.begin();
-            cast = scene_.cast(state, true);
+            cast = scene_.cast(state, options_.width, options_.height, true);
             state.camera = kept_above_ground(state.camera, scene_.field(), clearance_m()); // of this frame
             drawn = scene_.draw(state, options_.width, options_.height, true);
         }

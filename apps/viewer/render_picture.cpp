@@ -37,7 +37,7 @@ void render_picture(const ViewerOptions& options, cli::Report& report)
 
     const window::PictureTarget target(kSamplesPerSide * options.width, kSamplesPerSide * options.height);
     target.begin();
-    scene.cast(state);
+    scene.cast(state, target.width(), target.height());
     const FrameCost cost = scene.draw(state, target.width(), target.height());
     const Picture picture = shrunk(target.picture(), options.height, options.width);
     write_picture(options.render, picture.view(), options.overwrite);

@@ -4,6 +4,7 @@
 #include "stopwatch.h"
 
 #include <duskline/gl/context.h>
+#include <duskline/gl/terrain_shadow_map.h>
 #include <duskline/products/daylight.h>
 #include <duskline/products/relief.h>
 
@@ -44,10 +45,15 @@ Scene::Scene(ViewedTerrain& viewed, const SunClock& clock, const gl::ShaderSourc
 
 void Scene::choose_technique(const ViewerState& state)
 {
-    if (technique_ && technique_name_ == state.technique && soft_ == state.soft)
+    const std::string shadow_map = text_of({state.shadow_map.options, {}});
+    if (technique_ && technique_name_ == state.technique && soft_ == state.soft && shadow_map_ == shadow_map)
         return;
     const gl::ShadowTechniqueKind& kind = gl::shadow_technique_named(state.technique);
-    technique_ = kind.make(sources_, textures_, state.soft && kind.has_soft_edges);
+    if (kind.name == kShadowMapTechnique)
+        technique_ = std::make_unique<gl::TerrainShadowMap>(sources_, textures_, state.shadow_map.options);
+    else
+        technique_ = kind.make(sources_, textures_, state.soft && kind.has_soft_edges);
+    shadow_map_ = shadow_map;
     technique_name_ = state.technique;
     if (soft_ != state.soft)
         object_sweep_.reset();
@@ -113,7 +119,7 @@ double milliseconds(const Work& work)
 
 } // namespace
 
-FrameCost Scene::cast(const ViewerState& state, bool wait)
+FrameCost Scene::cast(const ViewerState& state, std::size_t width, std::size_t height, bool wait)
 {
     CellRectangle changed;
     const double ground_ms = milliseconds([&] {
@@ -126,7 +132,9 @@ FrameCost Scene::cast(const ViewerState& state, bool wait)
     });
     choose_technique(state);
     set_course(state);
-    FrameCost cost = cast_changes(changed, clock_.on_grid(state.light), wait);
+    technique_->set_look(state.shadow_map.look);
+    const bool view_changed = technique_->look_from({state.camera, width, height, state.pixel_error});
+    FrameCost cost = cast_changes(changed, clock_.on_grid(state.light), view_changed, wait);
     cost.ground_ms = has_cells(changed) ? ground_ms : 0.0;
     if (cost.cast_ms > 0.0)
         object_heights_ = nullptr;
@@ -146,18 +154,19 @@ void Scene::upload_ground(const CellRectangle& changed)
 }
 
 // A technique that has cast is told of changes even where the light has moved as well, and casts again.
-FrameCost Scene::cast_changes(const CellRectangle& changed, const DirectionalLight& light, bool wait)
+FrameCost Scene::cast_changes(const CellRectangle& changed, const DirectionalLight& light, bool view_changed,
+                              bool wait)
 {
     FrameCost cost;
     const bool ground_changed = has_cells(changed);
-    const bool light_changed = !cast_light_ || !same(*cast_light_, light);
-    if (!ground_changed && !light_changed && technique_->done() >= 1.0)
+    const bool must_cast = view_changed || !cast_light_ || !same(*cast_light_, light);
+    if (!ground_changed && !must_cast && technique_->done() >= 1.0)
         return cost;
     cost.cast_ms = milliseconds([&] {
         cost.cast_gpu_ms = time_pass(cast_timer_, wait, [&] {
             if (ground_changed && cast_light_)
                 technique_->heights_changed(changed);
-            if (light_changed)
+            if (must_cast)
                 technique_->cast(light);
             technique_->advance(kAdvanceInAFrame);
         });
@@ -286,6 +295,8 @@ ViewerState first_state(const ViewerOptions& options, const ViewedTerrain& viewe
         state.ambient = static_cast<float>(*options.picture.ambient);
     if (!options.technique.empty() && options.technique != "all")
         state.technique = options.technique;
+    if (!options.shadow_map.empty())
+        state.shadow_map = parse_shadow_map(options.shadow_map);
     if (!options.animation.empty())
         state.animation = options.animation;
     state.animation_s = options.animation_s.value_or(state.animation_s);

@@ -50,9 +50,9 @@ public:
     Scene(ViewedTerrain& viewed, const SunClock& clock, const gl::ShaderSources& sources);
 
     /// Brings the ground to where a state has it, and finds the shadows it asks for, unless they are there already: they
-    /// are those of the ground that is drawn next. With `wait` the cost is that of the work
+    /// are those of the ground that is drawn next, and for a picture of that size. With `wait` the cost is that of the work
     /// itself, else that of giving it to the card.
-    FrameCost cast(const ViewerState& state, bool wait = false);
+    FrameCost cast(const ViewerState& state, std::size_t width, std::size_t height, bool wait = false);
 
     /// Goes on until the shadows asked for last are all there, and prepared what is to be prepared.
     void settle();
@@ -83,7 +83,8 @@ private:
     void set_course(const ViewerState& state);
     gl::TerrainLight light_of(const ViewerState& state) const;
 
-    FrameCost cast_changes(const CellRectangle& changed, const DirectionalLight& light, bool wait);
+    FrameCost cast_changes(const CellRectangle& changed, const DirectionalLight& light, bool view_changed,
+                           bool wait);
     void upload_ground(const CellRectangle& changed);
     double cast_for_objects(bool wait);
     const gl::Texture* heights_for_objects() const;
@@ -103,6 +104,7 @@ private:
     std::unique_ptr<gl::ShadowTechnique> technique_;
     std::string technique_name_;
     bool soft_ = false;
+    std::string shadow_map_;
     std::optional<DirectionalLight> cast_light_;
     CourseAsked course_asked_;
     std::unique_ptr<gl::ExactUpload> truth_; ///< made when first needed

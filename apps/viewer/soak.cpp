@@ -85,7 +85,7 @@ public:
         state_.animation_s += dice_.between(0.0, 0.5);
         state_.camera = kept_above_ground(state_.camera, scene_->field(), scene_->field().cell_size_m.x);
         target_->begin();
-        scene_->cast(state_);
+        scene_->cast(state_, target_->width(), target_->height());
         scene_->draw(state_, target_->width(), target_->height());
         ++done_[action.name];
         messages_.throw_if_any(doing_);
@@ -198,7 +198,7 @@ private:
     {
         state_.technique = "exact";
         state_.soft = false;
-        scene_->cast(state_);
+        scene_->cast(state_, target_->width(), target_->height());
         const ShadowMask expected = cast_by_exact(scene_->field(), clock_.on_grid(state_.light));
         if (mask_difference(expected, scene_->lit_mask()).differing != 0)
             throw std::runtime_error(doing_ + ": the shadows are not those of the ground");

@@ -4,7 +4,9 @@
 #include "exit_code.h"
 #include "help_page.h"
 #include "option_values.h"
+#include "shadow_map_settings.h"
 
+#include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/shadow_technique.h>
 
 #include <fmt/format.h>
@@ -59,6 +61,10 @@ void add_look(CLI::App& app, ViewerOptions& options)
     app.add_option("--technique", options.technique,
                    "how shadows are found: " + technique_list() + "; with --flyby also all; else exact")
         ->type_name("NAME")
+        ->group(kLook);
+    app.add_option("--shadow-map", options.shadow_map,
+                   "settings of the technique shadow-map, by commas, in place of " + shadow_map_help())
+        ->type_name("NAME=VALUE,...")
         ->group(kLook);
     app.add_flag("--soft", options.soft, "soft edges of shadows, by techniques that have them")->group(kLook);
     app.add_option_function<std::string>(
@@ -198,6 +204,11 @@ void require_consistent(const ViewerOptions& options)
         gl::shadow_technique_named(options.technique);
     if (!options.animation.empty())
         require_motion(options.animation);
+    try {
+        parse_shadow_map(options.shadow_map);
+    } catch (const InvalidInput& error) {
+        throw UsageError(std::string("--shadow-map: ") + error.what());
+    }
     cli::require_palette(options.picture);
 }
 

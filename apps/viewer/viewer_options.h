@@ -21,7 +21,8 @@ struct ViewerOptions {
     cli::RunOptions run;
     std::size_t width = 1024; ///< of the window or picture, pixels
     std::size_t height = 768;
-    std::string technique; ///< empty: of the state; "all" in a fly-by
+    std::string technique;  ///< empty: of the state; "all" in a fly-by
+    std::string shadow_map; ///< settings; empty: of the state
     bool soft = false;
     std::optional<std::size_t> light_maps;
     bool difference = false;

@@ -155,6 +155,16 @@ std::string technique_of(const Reader& reader, const std::string& otherwise)
     return name;
 }
 
+ShadowMapSettings shadow_map_of(const Reader& reader, const ShadowMapSettings& otherwise)
+{
+    const auto text = reader.text("shadow_map");
+    try {
+        return text ? parse_shadow_map(*text) : otherwise;
+    } catch (const InvalidInput& error) {
+        reader.fail(error.what());
+    }
+}
+
 std::string animation_of(const Reader& reader, const std::string& otherwise)
 {
     std::string name = reader.text("animation").value_or(otherwise);
@@ -178,6 +188,7 @@ ViewerState read_state(const std::string& path, const ViewerState& otherwise)
     if (const auto light = reader.part("light"))
         read_light(*light, state.light);
     state.technique = technique_of(reader, state.technique);
+    state.shadow_map = shadow_map_of(reader, state.shadow_map);
     reader.flag("soft", state.soft);
     reader.number("light_maps", state.light_maps, 2, 96);
     reader.flag("difference", state.difference);
@@ -201,6 +212,7 @@ void write_state(const std::string& path, const ViewerState& state)
     write_json(path, {{"camera", json_of(state.camera)},
                       {"light", light},
                       {"technique", state.technique},
+                      {"shadow_map", text_of(state.shadow_map)},
                       {"soft", state.soft},
                       {"light_maps", state.light_maps},
                       {"difference", state.difference},

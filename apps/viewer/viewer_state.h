@@ -1,6 +1,7 @@
 #pragma once
 
 #include "changing_ground.h"
+#include "shadow_map_settings.h"
 
 #include <duskline/light/date_time.h>
 #include <duskline/view/camera_path.h>
@@ -25,7 +26,8 @@ struct ViewerState {
     std::string technique = "exact";
     bool soft = false;           ///< edges as wide as the sun's disc makes them, where the technique has them
     std::size_t light_maps = 24; ///< of a day, or of the compass, where the technique makes them; 2 to 96
-    bool difference = false;     ///< mark what differs from the exact shadows
+    ShadowMapSettings shadow_map;     ///< of the technique of that name
+    bool difference = false;          ///< mark what differs from the exact shadows
     std::string animation{kNoMotion}; ///< of the ground
     double animation_s = 0.0;         ///< its second, and that of whatever else moves by itself
     double animation_speed = 1.0;     ///< seconds of it in a second

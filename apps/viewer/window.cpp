@@ -98,7 +98,7 @@ private:
 
         gl::bind_window(width, height);
         gl::clear_window();
-        const FrameCost cast = scene_.cast(state_);
+        const FrameCost cast = scene_.cast(state_, width, height);
         note(cast, scene_.draw(state_, width, height));
         if (activity_.wants_screenshot)
             save_screenshot(width, height);

@@ -133,6 +133,15 @@ TEST(ShadowBox, SideIsInProportionToTheClearance)
     }
 }
 
+TEST(ShadowBox, IsNoLargerThanTheGroundIsFar)
+{
+    const ShadowBox box = ShadowBoxFollower().follow(
+        {.clearance_m = 1e5, .farthest_ground_m = 2e5, .towards_light = {0.0, 0.0, 1.0}});
+    EXPECT_LT(box.side_m, 2e5 * 2.1);
+    EXPECT_DOUBLE_EQ(box.radius_m, 1.2e6);
+    EXPECT_THROW(ShadowBoxFollower().follow({.farthest_ground_m = 0.0}), InvalidInput);
+}
+
 TEST(ShadowBox, KeepsItsSideWhileTheEyeGoesUpAndDownALittle)
 {
     for (double clearance_m = 10.0; clearance_m < 20.0; clearance_m *= 1.01) {

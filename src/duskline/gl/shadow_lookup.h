@@ -5,6 +5,7 @@
 namespace duskline::gl {
 
 class SilhouettePasses;
+class TerrainShadowMap;
 
 /// In what form a technique leaves its shadows for shaders: SHADOW_LOOKUP of terrain_lit.glsl.
 enum class ShadowLookup {
@@ -17,8 +18,8 @@ enum class ShadowLookup {
     lines,               ///< no map: every pixel looks at every line on the way to the light
     two_masks,           ///< as mask, one turning into the other
     fraction,            ///< r8, how much of the light's disc is seen
+    shadow_map,          ///< a depth map that goes with the viewer, which every pixel looks itself up in
 };
-inline constexpr int kShadowLookups = 9;
 
 /// The shadows of a terrain as a technique has left them. What it points to is the technique's.
 struct TerrainShadow {
@@ -27,6 +28,7 @@ struct TerrainShadow {
     const SilhouettePasses* silhouettes = nullptr; ///< of silhouettes, silhouettes_by_four, lines
     const Texture* later = nullptr;                ///< of two_masks the second
     float later_share = 0.0f;                      ///< how far the first has turned into it, 0 to 1
+    const TerrainShadowMap* map = nullptr;         ///< of shadow_map
 };
 
 } // namespace duskline::gl

@@ -27,6 +27,9 @@ constexpr double kFaintestShadow = 0.1;
 // In depth units of the map, against roundings of surfaces that face the light.
 constexpr float kConstantOffset = 1.0f;
 
+// Enough for level ground in light of 1.8 degrees.
+constexpr float kMostOffsetTexels = 64.0f;
+
 BlockVec4 as_block(const std::array<float, 4>& v)
 {
     return {v[0], v[1], v[2], v[3]};
@@ -76,8 +79,10 @@ public:
         glDepthFunc(GL_LESS);
         glEnable(GL_DEPTH_CLAMP);
         glEnable(GL_POLYGON_OFFSET_FILL);
-        glPolygonOffset(static_cast<float>(options.slope_offset), kConstantOffset);
-        if (options.faces == CasterFaces::away_from_light) {
+        // What faces away is dark, and must shade itself: towards the light with it.
+        const bool away = options.faces == CasterFaces::away_from_light;
+        offset(options, away ? -1.0f : 1.0f);
+        if (away) {
             glEnable(GL_CULL_FACE);
             glCullFace(GL_FRONT);
         }
@@ -96,6 +101,21 @@ public:
     }
 
 private:
+    // A face that the light falls along would be moved so far that it lets light through.
+    static void offset(const ShadowMapOptions& options, float sign)
+    {
+        // The sampler also compares texels beside a tap, up to a whole one away.
+        const double reach = options.linear_compare ? 2.0 : 1.0;
+        const float slope = sign * static_cast<float>(reach * options.slope_offset);
+        const bool can_clamp =
+            epoxy_gl_version() >= 46 || epoxy_has_gl_extension("GL_ARB_polygon_offset_clamp");
+        if (can_clamp)
+            glPolygonOffsetClamp(slope, sign * kConstantOffset,
+                                 sign * kMostOffsetTexels / static_cast<float>(options.size));
+        else
+            glPolygonOffset(slope, sign * kConstantOffset);
+    }
+
     GLint function_before_ = 0;
 };
 
@@ -236,8 +256,6 @@ ShadowMapBlock ShadowMap::block(const Vector3& eye_m, const ShadowMapLook& look)
     block.wide_box = part_block(*parts_.back());
     block.disc = disc_;
     block.strength = static_cast<float>(strength_ * std::lerp(1.0, kFaintestShadow, look.overcast));
-    const bool linear = options_.linear_compare && options_.filter != ShadowMapFilter::moments;
-    block.footprint = linear ? 0.5f : 0.0f;
     block.overlay = static_cast<int>(look.overlay);
     block.samples = static_cast<int>(options_.samples);
     return block;
@@ -254,6 +272,11 @@ void ShadowMap::bind(const ShadowMapBlock& block, Buffer& buffer) const
 const ShadowBox& ShadowMap::box() const
 {
     return parts_.front()->box;
+}
+
+const ShadowBox& ShadowMap::widest_box() const
+{
+    return parts_.back()->box;
 }
 
 const Texture& ShadowMap::depth() const

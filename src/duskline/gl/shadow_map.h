@@ -46,7 +46,7 @@ struct ShadowMapOptions {
     std::size_t samples = 8;    ///< of the disc, 4 to 16
     double spread = 1.0;        ///< texels from tap to tap; above 0, gaps show from about 2 on
     double slope_offset =
-        1.0; ///< polygon offset by slope. 1 is what the middle of a texel and its corners differ by at most
+        1.0; ///< polygon offset by slope; 1 is what a surface and its texels differ by at most
     CasterFaces faces = CasterFaces::all;
     double reach = 12.0;      ///< radius of shadows over clearance: see ShadowBoxFollower
     double wide_reach = 0.0;  ///< that of a second map around the first, of the same size; 0 for none
@@ -96,6 +96,8 @@ public:
     /// The box and map next to the eye, of the last `update`.
     const ShadowBox& box() const;
     const Texture& depth() const;
+    /// That of the wide map; the same without one.
+    const ShadowBox& widest_box() const;
 
     const ShadowMapOptions& options() const { return options_; }
 

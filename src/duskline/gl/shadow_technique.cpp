@@ -6,6 +6,7 @@
 #include <duskline/gl/shadow_sweep.h>
 #include <duskline/gl/shadow_technique.h>
 #include <duskline/gl/silhouette_passes.h>
+#include <duskline/gl/terrain_shadow_map.h>
 
 #include <algorithm>
 #include <array>
@@ -142,6 +143,12 @@ std::unique_ptr<ShadowTechnique> make_swept(const ShaderSources& sources, const 
     return std::make_unique<SweptShadows>(sources, terrain, soft);
 }
 
+std::unique_ptr<ShadowTechnique> make_shadow_map(const ShaderSources& sources, const TerrainTextures& terrain,
+                                                 bool)
+{
+    return std::make_unique<TerrainShadowMap>(sources, terrain);
+}
+
 constexpr std::array kTechniques = {
     ShadowTechniqueKind{.name = "none",
                         .description = "no shadows: what everything else costs",
@@ -157,6 +164,10 @@ constexpr std::array kTechniques = {
                         .source = "casting/sweep.h",
                         .has_soft_edges = true,
                         .make = make_swept},
+    ShadowTechniqueKind{.name = "shadow-map",
+                        .description = "a depth map that goes with the viewer; no shadows beyond it",
+                        .source = "Shadow mapping on large terrain, Organic Vectory",
+                        .make = make_shadow_map},
     ShadowTechniqueKind{.name = "full-scan",
                         .description = "every line on the way to the light, for every pixel",
                         .source = kSilhouetteSource,

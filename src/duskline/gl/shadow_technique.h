@@ -15,6 +15,9 @@
 
 namespace duskline::gl {
 
+struct ShadowMapLook;
+struct TerrainView;
+
 /// The shadows of one terrain under a moving light, as some technique finds them.
 class ShadowTechnique {
 public:
@@ -22,6 +25,10 @@ public:
     ShadowTechnique(const ShadowTechnique&) = delete;
     ShadowTechnique& operator=(const ShadowTechnique&) = delete;
     virtual ~ShadowTechnique() = default;
+
+    /// To be called before `cast` for every picture: says whether shadows have to be cast again for that view. Most
+    /// techniques have shadows everywhere.
+    virtual bool look_from(const TerrainView&) { return false; }
 
     /// Finds the shadows of a light. Throws InvalidInput for angles out of range.
     virtual void cast(const DirectionalLight& light) = 0;
@@ -46,6 +53,9 @@ public:
 
     /// Of a silhouette map the share of texels that are Black, which hold a silhouette. Reads the map back.
     virtual std::optional<double> black_share() const { return std::nullopt; }
+
+    /// For techniques with a shadow map: how it is shown.
+    virtual void set_look(const ShadowMapLook&) {}
 };
 
 /// One way to find shadows in real time. The viewer, its report and the tests iterate over `shadow_techniques()`.

@@ -4,6 +4,7 @@
 #include <duskline/gl/screen_pass.h>
 #include <duskline/gl/silhouette_passes.h>
 #include <duskline/gl/terrain_renderer.h>
+#include <duskline/gl/terrain_shadow_map.h>
 
 #include <epoxy/gl.h>
 
@@ -17,40 +18,15 @@ namespace {
 
 enum Unit : int { mesh_heights, ground, heights, shadow, truth, silhouettes, later = silhouettes + 3 };
 
-constexpr std::size_t kIndicesPerPatch = 6 * kPatchSquares * kPatchSquares;
 constexpr std::size_t kMostLevels = 24; // of the array in terrain.vert.glsl: grids of up to 2^28 cells a side
-
-std::vector<float> patch_corners()
-{
-    std::vector<float> corners;
-    for (std::size_t row = 0; row <= kPatchSquares; ++row)
-        for (std::size_t column = 0; column <= kPatchSquares; ++column) {
-            corners.push_back(static_cast<float>(column));
-            corners.push_back(static_cast<float>(row));
-        }
-    return corners;
-}
-
-// Two triangles a square, counter-clockwise from above.
-std::vector<std::uint32_t> patch_indices()
-{
-    std::vector<std::uint32_t> indices;
-    constexpr auto line = static_cast<std::uint32_t>(kPatchSquares) + 1;
-    for (std::uint32_t row = 0; row < kPatchSquares; ++row)
-        for (std::uint32_t column = 0; column < kPatchSquares; ++column) {
-            const std::uint32_t north_west = row * line + column;
-            const std::uint32_t south_west = north_west + line;
-            indices.insert(indices.end(), {north_west, south_west, south_west + 1});
-            indices.insert(indices.end(), {north_west, south_west + 1, north_west + 1});
-        }
-    return indices;
-}
 
 ProgramDescription with_lookup(std::vector<std::string> stages, const TerrainShadow& shadow)
 {
     std::vector<ShaderDefine> defines;
     if (shadow.silhouettes != nullptr)
         defines = shadow.silhouettes->look_up_defines(Unit::silhouettes);
+    if (shadow.map != nullptr)
+        defines = shadow.map->look_up_defines();
     defines.push_back({"SHADOW_LOOKUP", std::to_string(static_cast<int>(shadow.lookup))});
     return {std::move(stages), std::move(defines)};
 }
@@ -80,27 +56,18 @@ double drop_over_a_cell_m(const DirectionalLight& light, CellSize cell_size_m)
 TerrainRenderer::TerrainRenderer(const ShaderSources& sources, const TerrainTextures& terrain)
     : sources_(sources), terrain_(terrain), detail_(terrain.field()),
       sky_(sources, {.stages = {"full_screen.vert.glsl", "sky.frag.glsl"}})
-{
-    corners_.upload(patch_corners());
-    indices_.upload(patch_indices());
-    patch_.set_floats(0, corners_, 2, 2 * sizeof(float));
-    patch_.set_indices(indices_);
-}
+{}
 
-const Program& TerrainRenderer::ground_program(const TerrainShadow& shadow)
+const Program& TerrainRenderer::program(const char* vertex_stage, const char* fragment_stage,
+                                        const TerrainShadow& shadow)
 {
-    auto& program = ground_programs_.at(static_cast<std::size_t>(shadow.lookup));
-    if (!program)
-        program.emplace(sources_, with_lookup({"terrain.vert.glsl", "terrain.frag.glsl"}, shadow));
-    return *program;
-}
-
-const Program& TerrainRenderer::mask_program(const TerrainShadow& shadow)
-{
-    auto& program = mask_programs_.at(static_cast<std::size_t>(shadow.lookup));
-    if (!program)
-        program.emplace(sources_, with_lookup({"full_screen.vert.glsl", "lit_mask.frag.glsl"}, shadow));
-    return *program;
+    const ProgramDescription description = with_lookup({vertex_stage, fragment_stage}, shadow);
+    std::string key = fragment_stage;
+    for (const ShaderDefine& define : description.defines)
+        key += " " + define.name + "=" + define.value;
+    const auto found = programs_.find(key);
+    return found != programs_.end() ? found->second
+                                    : programs_.emplace(key, Program(sources_, description)).first->second;
 }
 
 void TerrainRenderer::set_lookup(const Program& program, const TerrainShadow& shadow,
@@ -115,6 +82,8 @@ void TerrainRenderer::set_lookup(const Program& program, const TerrainShadow& sh
         shadow.silhouettes->bind(program, Unit::silhouettes); // takes three
     program.set("later_shadow", static_cast<int>(Unit::later));
     program.set("later_share", shadow.later_share);
+    if (shadow.map != nullptr)
+        shadow.map->bind(program, Unit::mesh_heights);
     program.set("heights_m", static_cast<int>(Unit::heights));
     program.set("shadow", static_cast<int>(Unit::shadow));
     program.set("shadow_drop_m", static_cast<float>(shadow_drop_m));
@@ -165,7 +134,7 @@ DrawnMesh TerrainRenderer::draw_terrain(const TerrainView& view, const TerrainLi
     if (patches.empty())
         return {};
 
-    const Program& program = ground_program(shadow);
+    const Program& program = this->program("terrain.vert.glsl", "terrain.frag.glsl", shadow);
     program.use();
     terrain_.mesh_heights().bind(Unit::mesh_heights);
     terrain_.ground().bind(Unit::ground);
@@ -183,13 +152,11 @@ DrawnMesh TerrainRenderer::draw_terrain(const TerrainView& view, const TerrainLi
                                                 static_cast<int>(field.rows()) - 1});
     program.set_matrix("eye_to_clip", eye_to_clip(view.camera, aspect, depth));
 
-    patches_.upload(patches);
-    patches_.bind_as_storage(0);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    patch_.draw_indexed(VertexArray::Shape::triangles, 0, kIndicesPerPatch, patches.size());
+    mesh_.draw(patches);
     glDisable(GL_DEPTH_TEST);
-    return {patches.size(), patches.size() * kIndicesPerPatch / 3};
+    return {patches.size(), patches.size() * PatchMesh::kTrianglesPerPatch};
 }
 
 ShadowMask TerrainRenderer::lit_mask(const TerrainShadow& shadow)
@@ -197,7 +164,7 @@ ShadowMask TerrainRenderer::lit_mask(const TerrainShadow& shadow)
     const HeightField& field = terrain_.field();
     const Texture answers(TextureFormat::r8, field.columns(), field.rows());
     const Framebuffer framebuffer({&answers});
-    const Program& program = mask_program(shadow);
+    const Program& program = this->program("full_screen.vert.glsl", "lit_mask.frag.glsl", shadow);
     set_lookup(program, shadow, 1.0);
     ScreenPass().draw(program, framebuffer);
     const Grid<std::uint8_t> bytes = read_back<std::uint8_t>(answers);
@@ -213,9 +180,8 @@ ShadowMask TerrainRenderer::lit_mask(const TerrainShadow& shadow)
 bool TerrainRenderer::reload_if_changed()
 {
     bool changed = sky_.reload_if_changed(sources_);
-    for (auto* programs : {&ground_programs_, &mask_programs_})
-        for (auto& program : *programs)
-            changed = (program && program->reload_if_changed(sources_)) || changed;
+    for (auto& [key, program] : programs_)
+        changed = program.reload_if_changed(sources_) || changed;
     return changed;
 }
 

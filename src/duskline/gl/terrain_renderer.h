@@ -1,7 +1,7 @@
 #pragma once
 
 #include <duskline/casting/shadow_mask.h>
-#include <duskline/gl/buffer.h>
+#include <duskline/gl/patch_mesh.h>
 #include <duskline/gl/program.h>
 #include <duskline/gl/shadow_lookup.h>
 #include <duskline/gl/terrain_textures.h>
@@ -12,7 +12,8 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <map>
+#include <string>
 
 namespace duskline::gl {
 
@@ -45,7 +46,8 @@ struct DrawnMesh {
 /// Draws terrains in perspective: a mesh as fine as the picture needs (view/level_of_detail.h) under a sun and a sky as
 /// in products/relief.h, in shadows that some technique has found.
 ///
-/// Takes texture units 0 to 8 and shader storage 0, and leaves its own there. Changes depth test and face culling.
+/// Takes texture units 0 to 9, shader storage 0 and, for shadow maps, uniform block 8, and leaves its own there. Changes
+/// depth test and face culling.
 class TerrainRenderer {
 public:
     /// Both must outlive it. Throws ShaderError.
@@ -77,22 +79,18 @@ public:
     bool reload_if_changed();
 
 private:
-    const Program& ground_program(const TerrainShadow& shadow);
-    const Program& mask_program(const TerrainShadow& shadow);
+    /// Built when first needed.
+    const Program& program(const char* vertex_stage, const char* fragment_stage, const TerrainShadow& shadow);
     void draw_sky(const TerrainView& view, const TerrainLight& light);
     void set_lookup(const Program& program, const TerrainShadow& shadow, double shadow_drop_m) const;
 
     const ShaderSources& sources_;
     const TerrainTextures& terrain_;
     LevelOfDetail detail_;
-    std::array<std::optional<Program>, kShadowLookups> ground_programs_; // built when first needed
-    std::array<std::optional<Program>, kShadowLookups> mask_programs_;
+    std::map<std::string, Program> programs_;
     Program sky_;
     VertexArray no_vertices_;
-    VertexArray patch_;
-    Buffer corners_;
-    Buffer indices_;
-    Buffer patches_;
+    PatchMesh mesh_;
 };
 
 } // namespace duskline::gl

@@ -1,9 +1,13 @@
 #include <duskline/execution/for_rows.h>
+#include <duskline/geometry/invalid_input.h>
 #include <duskline/view/level_of_detail.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <string>
 
 namespace duskline {
 
@@ -195,13 +199,31 @@ std::vector<MeshPatch> LevelOfDetail::select(const Vector3& eye_m, const Frustum
     return std::move(selection.patches);
 }
 
-void LevelOfDetail::select_block(const MeshPatch& block, Selection& selection) const
+namespace {
+
+// The four blocks of the next finer level that a block is made of, whether or not they are in the grid.
+std::array<MeshPatch, 4> quarters(const MeshPatch& block)
+{
+    const auto half = static_cast<std::uint32_t>(block_cells(block.level) / 2);
+    const std::uint32_t level = block.level - 1;
+    return {MeshPatch{block.row, block.column, level}, MeshPatch{block.row, block.column + half, level},
+            MeshPatch{block.row + half, block.column, level},
+            MeshPatch{block.row + half, block.column + half, level}};
+}
+
+} // namespace
+
+bool LevelOfDetail::is_there(const MeshPatch& block) const
 {
     const std::size_t cells = block_cells(block.level);
     const Grid<HeightRange>& ranges = blocks_[block.level];
-    if (block.row / cells >= ranges.rows() || block.column / cells >= ranges.columns())
-        return;
-    if (!has_data(ranges(block.row / cells, block.column / cells)))
+    return block.row / cells < ranges.rows() && block.column / cells < ranges.columns()
+           && has_data(ranges(block.row / cells, block.column / cells));
+}
+
+void LevelOfDetail::select_block(const MeshPatch& block, Selection& selection) const
+{
+    if (!is_there(block))
         return;
     const Box box = box_of(block);
     if (!selection.frustum.may_see(box))
@@ -210,10 +232,29 @@ void LevelOfDetail::select_block(const MeshPatch& block, Selection& selection) c
         selection.patches.push_back(block);
         return;
     }
-    const auto half = static_cast<std::uint32_t>(cells / 2);
-    for (const std::uint32_t down : {0U, half})
-        for (const std::uint32_t right : {0U, half})
-            select_block({block.row + down, block.column + right, block.level - 1}, selection);
+    for (const MeshPatch& quarter : quarters(block))
+        select_block(quarter, selection);
+}
+
+std::vector<MeshPatch> LevelOfDetail::patches_of(std::size_t level,
+                                                 const std::function<bool(const Box&)>& wanted) const
+{
+    if (level >= levels())
+        throw InvalidInput("there are levels of detail 0 to " + std::to_string(levels() - 1) + ", got "
+                           + std::to_string(level));
+    std::vector<MeshPatch> patches;
+    std::vector<MeshPatch> to_look_at = {{0, 0, static_cast<std::uint32_t>(levels() - 1)}};
+    while (!to_look_at.empty()) {
+        const MeshPatch block = to_look_at.back();
+        to_look_at.pop_back();
+        if (!is_there(block) || !wanted(box_of(block)))
+            continue;
+        if (block.level == level)
+            patches.push_back(block);
+        else
+            std::ranges::copy(quarters(block), std::back_inserter(to_look_at));
+    }
+    return patches;
 }
 
 Box LevelOfDetail::box_of(const MeshPatch& patch) const

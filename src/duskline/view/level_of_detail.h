@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace duskline {
@@ -66,6 +67,10 @@ public:
     std::vector<MeshPatch> select(const Vector3& eye_m, const Frustum& frustum,
                                   const std::vector<MorphRange>& ranges) const;
 
+    /// All patches of one level that have data and whose box is `wanted`. Boxes of coarser levels around them are asked
+    /// first, and what is in one that is not wanted is left out. Throws InvalidInput for a level that there is not.
+    std::vector<MeshPatch> patches_of(std::size_t level, const std::function<bool(const Box&)>& wanted) const;
+
     /// What the ground under a patch lies in. Empty heights (lowest above highest) where it has no data.
     Box box_of(const MeshPatch& patch) const;
 
@@ -79,6 +84,7 @@ private:
     void measure_block(std::size_t block_row, std::size_t block_column);
     void measure_parent(std::size_t level, std::size_t block_row, std::size_t block_column);
     void find_diagonals();
+    bool is_there(const MeshPatch& block) const;
     void select_block(const MeshPatch& block, Selection& selection) const;
 
     HeightField field_;

@@ -128,12 +128,14 @@ void ShadowBoxFollower::turn(const Vector3& towards_light)
 
 const ShadowBox& ShadowBoxFollower::follow(const ShadowView& view)
 {
-    if (!std::isfinite(view.clearance_m) || !(view.half_view.degrees() > 0.0))
-        throw InvalidInput("a shadow box needs a finite clearance and a half view above 0, got "
-                           + std::to_string(view.clearance_m) + " m and "
-                           + std::to_string(view.half_view.degrees()) + " degrees");
+    if (!std::isfinite(view.clearance_m) || !(view.half_view.degrees() > 0.0)
+        || !(view.farthest_ground_m > 0.0))
+        throw InvalidInput(
+            "a shadow box needs a finite clearance, and a half view and a farthest ground above 0, got "
+            + std::to_string(view.clearance_m) + " m, " + std::to_string(view.half_view.degrees())
+            + " degrees and " + std::to_string(view.farthest_ground_m) + " m");
     const double radius_m = options_.reach * std::max(view.clearance_m, options_.least_clearance_m);
-    const ViewBall ball = view_ball(radius_m, view.half_view);
+    const ViewBall ball = view_ball(std::min(radius_m, view.farthest_ground_m), view.half_view);
     const double side_m = side_for(2.0 * ball.radius_m / (1.0 - 1.0 / kStepsPerSide));
     if (!box_)
         box_ = ShadowBox{.axes = light_axes(view.towards_light)};

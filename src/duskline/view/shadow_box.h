@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace duskline {
@@ -37,6 +38,7 @@ struct ShadowView {
     double clearance_m = 0.0;         ///< height of the eye over the ground
     double highest_above_eye_m = 0.0; ///< how far the highest ground lies above the eye; mostly negative
     double curvature_per_m = 0.0;     ///< 1 over the globe's radius; 0 for a plane
+    double farthest_ground_m = std::numeric_limits<double>::infinity(); ///< from the eye; above 0
     Vector3 towards_light = {0.0, 0.0, 1.0};
 };
 
@@ -72,7 +74,8 @@ struct ShadowBoxOptions {
 /// A box that goes with the eye, and moves as seldom as it can.
 ///
 /// Size. Shadows are wanted up to radius = reach * max(clearance, least_clearance) from the eye: the ground's share of
-/// the picture that has shadows stays the same at all heights. The ball round the part of the view cone up to there has
+/// the picture that has shadows stays the same at all heights. The ball round the part of the view cone up to there, or
+/// up to the farthest ground, has
 ///
 ///     r = radius / (2 cos a) at radius / (2 cos a) ahead for half views a up to 45 degrees, else
 ///     r = radius sin a       at radius cos a       ahead, and the whole ball (r = radius) from 90 degrees on,

@@ -72,8 +72,7 @@ ShadowMapPlace shadow_map_place(ShadowMapPart box, vec3 from_eye_m, vec3 normal)
     vec3 turned = vec3(dot(box.to_column.xyz, normal), dot(box.to_row.xyz, normal), -dot(box.to_depth.xyz, normal));
     // What faces away from the light has something before it.
     place.slope = turned.z > 0.0 ? turned.xy / max(turned.z, length(turned) / kSteepestDepth) : vec2(0.0);
-    float aside = shadow_map.footprint * (abs(place.slope.x) + abs(place.slope.y));
-    place.at.z -= (aside + kDepthRounding) * box.texel;
+    place.at.z -= kDepthRounding * box.texel;
     return place;
 }
 
@@ -201,17 +200,23 @@ bool shadow_map_near_holds(vec3 from_eye_m, vec3 normal)
     return shadow_map_holds(shadow_map_place(shadow_map.near_box, from_eye_m, normal));
 }
 
-/// How much light gets to a place of a surface, 0 to 1.
-float shadow_map_factor(vec3 from_eye_m, vec3 normal, float eye_distance_m)
+/// How much light gets to a place of a surface, 0 to 1. Where casters are not the same surface in both maps, the place
+/// has one on each.
+float shadow_map_factor(vec3 from_eye_m, vec3 normal, vec3 wide_from_eye_m, vec3 wide_normal, float eye_distance_m)
 {
     if (shadow_map.strength <= 0.0)
         return 1.0;
     float fade = shadow_map_near_holds(from_eye_m, normal) ? shadow_map_fade(shadow_map.near_box, eye_distance_m) : 1.0;
-    float beyond = fade > 0.0 ? shadow_map_beyond(from_eye_m, normal, eye_distance_m) : 1.0;
+    float beyond = fade > 0.0 ? shadow_map_beyond(wide_from_eye_m, wide_normal, eye_distance_m) : 1.0;
     float lit = fade < 1.0 ? mix(shadow_map_lit(shadow_map_near, shadow_map.near_box, from_eye_m, normal, eye_distance_m),
                                  beyond, fade)
                            : beyond;
     return 1.0 - shadow_map.strength * (1.0 - lit);
+}
+
+float shadow_map_factor(vec3 from_eye_m, vec3 normal, float eye_distance_m)
+{
+    return shadow_map_factor(from_eye_m, normal, from_eye_m, normal, eye_distance_m);
 }
 
 /// The same for a place in the air.

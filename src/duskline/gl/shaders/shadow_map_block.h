@@ -31,10 +31,8 @@ struct alignas(16) ShadowMapBlock {
     std::array<BlockVec4, 8>
         disc;              ///< 16 points of a disc of radius 1, two in each; any first few lie well apart
     float strength = 1.0f; ///< of shadows: 0 none, 1 full
-    float footprint =
-        0.0f;        ///< texels beside a tap that the sampler compares too: 0, or 0.5 with linear filtering
-    int overlay = 0; ///< ShadowMapOverlay
-    int samples = 8; ///< points of the disc, 4 to 16
+    int overlay = 0;       ///< ShadowMapOverlay
+    int samples = 8;       ///< points of the disc, 4 to 16
 };
 
 static_assert(sizeof(ShadowMapPart) == 80);
@@ -59,7 +57,6 @@ layout(std140, binding = DUSKLINE_SHADOW_MAP_BLOCK) uniform ShadowMapBlock
     ShadowMapPart wide_box;
     vec4 disc[8];
     float strength;
-    float footprint;
     int overlay;
     int samples;
 }

@@ -105,5 +105,11 @@ void main()
         colour = mix(sky_colour(from_eye_m / distance_m), colour, exp(-square(distance_m / clear_m)));
     }
     colour = soft_clip(colour);
+#if SHADOW_LOOKUP == 9
+    if (shadow_map.overlay != 0) {
+        vec4 overlay = terrain_shadow_map_overlay(cell, terrain_shadow_map(cell));
+        colour = mix(colour, overlay.rgb, overlay.a);
+    }
+#endif
     pixel = vec4(srgb(show_difference ? marked(colour) : colour), 1.0);
 }

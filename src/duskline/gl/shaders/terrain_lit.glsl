@@ -9,6 +9,7 @@
 //   6             nothing: every line on the way to the light is looked at, for every place
 //   7             two masks, one turning into the other
 //   8             the visible part of the disc, 0 to 1
+//   9             a shadow map that goes with the viewer; again for the place itself
 
 #include "four_cells.glsl"
 #include "terrain_shadow.glsl" // disc_above
@@ -26,7 +27,20 @@ vec2 corner_of_four(vec2 cell)
     return (floor(cell) + 1.0) / vec2(textureSize(heights_m, 0));
 }
 
-#if SHADOW_LOOKUP >= 4 && SHADOW_LOOKUP <= 6
+#if SHADOW_LOOKUP == 9
+#include "terrain_shadow_map.glsl"
+
+float lit_over(vec2 cell, vec2 across, vec2 down)
+{
+    return terrain_shadow_map(cell);
+}
+
+bool is_lit(ivec2 at)
+{
+    return terrain_shadow_map(vec2(at)) >= 0.5;
+}
+
+#elif SHADOW_LOOKUP >= 4 && SHADOW_LOOKUP <= 6
 #include "smap_shadow.glsl"
 
 // In 256 parts of a cell, so that a place on a line is on it, whatever its rounding: lines do not shade themselves.
