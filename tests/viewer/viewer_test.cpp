@@ -212,8 +212,12 @@ TEST_F(Viewer, ReportsAFlightWithEveryTechnique)
         EXPECT_THAT(finished.out, HasSubstr(technique));
         const double wrong = flight["wrong_share"];
         EXPECT_GE(wrong, technique == "none" ? 0.01 : 0.0);
-        EXPECT_LE(wrong, technique == "none" ? 1.0 : technique == "exact" ? 0.0 : 0.05) << technique;
-        EXPECT_EQ(flight["mean_cast_ms"] == 0.0, flight["light_at_rest"].get<bool>()) << technique;
+        // A map that goes with the eye has no shadows far away, and is cast when the eye has moved.
+        const bool goes_with_the_eye = technique == "shadow-map";
+        const double most_wrong = goes_with_the_eye ? 0.25 : technique == "exact" ? 0.0 : 0.05;
+        EXPECT_LE(wrong, technique == "none" ? 1.0 : most_wrong) << technique;
+        EXPECT_EQ(flight["mean_cast_ms"] == 0.0, flight["light_at_rest"].get<bool>() && !goes_with_the_eye)
+            << technique;
         EXPECT_EQ(flight["frames"], 4);
         EXPECT_EQ(flight.contains("mean_look_up_ms"), technique != "none");
         EXPECT_EQ(flight.contains("black_share"), technique.starts_with("smap"));
