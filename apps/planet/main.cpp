@@ -6,6 +6,7 @@
 #include "planet_options.h"
 #include "render_picture.h"
 #include "report.h"
+#include "soak.h"
 #include "window.h"
 
 #include <string>
@@ -25,6 +26,8 @@ void look(const PlanetOptions& options)
         render_picture(options, report);
     else if (options.flydown_frames)
         fly_down(options, report);
+    else if (options.soak_s)
+        soak(options, report);
     else
         return show_window(options, report);
     report.finish();

@@ -4,8 +4,11 @@
 #include "help_page.h"
 #include "light_options.h"
 #include "option_values.h"
+#include "shadow_variants.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace duskline::planet_app {
 namespace {
@@ -199,6 +202,42 @@ void add_headless(CLI::App& app, PlanetOptions& options)
                      .range = {.least = 0.5, .most = 1e8}},
                     options.to_m)
         ->group(kHeadless);
+    app.add_flag("--variants", options.variants,
+                 "with --flydown: the shadow map with each of its options, too; --technique may name one of "
+                 "them")
+        ->group(kHeadless);
+    app.add_option_function<std::string>(
+           "--errors",
+           [&options](const std::string& typed) { options.errors = cli::parse_count("--errors", typed, 2); },
+           "compare the shadows in so many frames of --flydown with rays over all the ground between them "
+           "and "
+           "the sun; takes seconds a frame")
+        ->type_name("FRAMES")
+        ->group(kHeadless);
+    app.add_option_function<std::string>(
+           "--errors-step",
+           [&options](const std::string& typed) {
+               options.errors_step = cli::parse_count("--errors-step", typed, 1);
+           },
+           "compare every so many pixels, in rows and columns")
+        ->type_name("PX")
+        ->default_str("8")
+        ->group(kHeadless);
+    cli::add_number(app,
+                    {.names = "--soak",
+                     .unit = "SECONDS",
+                     .text = "fly about at random for so long, with every technique, and fail when OpenGL "
+                             "complains or memory grows beyond its bounds; needs no display",
+                     .range = {.least = 0.1, .most = 1e6}},
+                    options.soak_s)
+        ->group(kHeadless);
+    app.add_option_function<std::string>(
+           "--seed",
+           [&options](const std::string& typed) { options.seed = cli::parse_count("--seed", typed, 0); },
+           "of --soak: the same number, the same flight")
+        ->type_name("N")
+        ->default_str("1")
+        ->group(kHeadless);
     app.add_option("--report", options.report, "write the figures of --flydown to a JSON file")
         ->type_name("FILE")
         ->group(kHeadless);
@@ -229,10 +268,29 @@ void add_planet_options(CLI::App& app, PlanetOptions& options)
         "--altitude 8");
 }
 
+namespace {
+
+void require_known_technique(const PlanetOptions& options)
+{
+    if (options.technique.empty() || options.technique == "all")
+        return;
+    const std::vector<ShadowVariant> variants = shadow_map_variants(options.look.shadow_map);
+    if (options.variants
+        && std::ranges::find(variants, options.technique, &ShadowVariant::name) != variants.end())
+        return;
+    technique_named(options.technique);
+}
+
+} // namespace
+
 void require_consistent(const PlanetOptions& options)
 {
     if (!options.render.empty() && options.flydown_frames)
         throw UsageError("give --render or --flydown, not both");
+    if (options.soak_s && (!options.render.empty() || options.flydown_frames))
+        throw UsageError("give --soak without --render and --flydown");
+    if (!options.flydown_frames && (options.variants || options.errors > 0))
+        throw UsageError("--variants and --errors are for --flydown");
     if (!options.flydown_frames && (!options.report.empty() || !options.frames.empty()))
         throw UsageError(
             "--report and --frames say where --flydown leaves what it finds: give --flydown FRAMES");
@@ -247,8 +305,7 @@ void require_consistent(const PlanetOptions& options)
         throw UsageError("give --azimuth and --altitude, or --time, not both");
     if (options.time && options.moon)
         throw UsageError("--time is the sun of the earth: give --azimuth and --altitude with --moon");
-    if (!options.technique.empty() && options.technique != "all")
-        technique_named(options.technique);
+    require_known_technique(options);
 }
 
 Globe globe_of(const PlanetOptions& options, const Globe& of_file)
@@ -270,7 +327,7 @@ PlanetState first_state(const PlanetOptions& options, const PlanetTerrain& terra
                                          Angle::from_degrees(options.altitude_deg.value_or(25.0))},
                                         options.pose.place);
     bring_up_to_date(state.sun);
-    if (!options.technique.empty() && options.technique != "all")
+    if (!options.technique.empty() && options.technique != "all" && !options.variants)
         state.technique = technique_named(options.technique);
     return state;
 }

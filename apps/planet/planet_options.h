@@ -32,8 +32,13 @@ struct PlanetOptions {
     std::optional<std::size_t> flydown_frames;
     double from_km = 20000.0;
     double to_m = 15.0;
-    std::string report; ///< a file for the figures of a descent
-    std::string frames; ///< a folder for its pictures
+    bool variants = false;        ///< the shadow map with each of its options, too
+    std::size_t errors = 0;       ///< frames of a descent whose shadows are compared with the truth
+    std::size_t errors_step = 8;  ///< of their pixels, in rows and columns
+    std::optional<double> soak_s; ///< how long to fly about
+    std::uint64_t seed = 1;       ///< of that
+    std::string report;           ///< a file for the figures of a descent
+    std::string frames;           ///< a folder for its pictures
     bool overwrite = false;
 };
 

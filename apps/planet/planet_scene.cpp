@@ -165,6 +165,12 @@ gl::DrawnPlanet PlanetScene::draw_picture(const PlanetState& state, std::size_t 
                           quadtree_.patches(), shadow_of(state));
 }
 
+void PlanetScene::probe(const PlanetState& state, std::size_t width, std::size_t height)
+{
+    renderer_.probe_ground(view_of(viewed_.terrain->globe(), state, width, height), light_of(viewed_, state),
+                           quadtree_.patches(), shadow_of(state));
+}
+
 FrameCost PlanetScene::draw(const PlanetState& state, std::size_t width, std::size_t height,
                             const FrameBudget& budget, bool wait)
 {

@@ -45,6 +45,15 @@ public:
     /// The same with everything there, however long it takes.
     FrameCost draw_settled(const PlanetState& state, std::size_t width, std::size_t height);
 
+    /// The picture that was last drawn, of the same state and size, as PlanetRenderer::probe_ground gives it.
+    void probe(const PlanetState& state, std::size_t width, std::size_t height);
+
+    /// Layers of tiles that there is room for on the card.
+    std::size_t layers() const { return renderer_.layers(); }
+
+    /// Tiles of which the fronts know.
+    std::size_t tiles_of_fronts() const { return known_.size(); }
+
     /// Takes up shader files that have changed on disk.
     bool reload_shaders() { return renderer_.reload_if_changed(); }
 

@@ -93,8 +93,9 @@ TEST_F(PlanetApp, ShowsTheShadowsOfHawaiiByEveryTechnique)
 TEST_F(PlanetApp, ReportsADescentWithEveryTechnique)
 {
     const Finished finished =
-        run({"--radius", "300", "--at", "10,20,100", "--flydown", "4", "--from", "900", "--to", "20",
-             "--technique", "all", "--size", "64x48", "--report", "report.json", "--frames", "."});
+        run({"--radius",      "300", "--at",        "10,20,100",   "--flydown", "4",     "--from",   "900",
+             "--to",          "20",  "--technique", "all",         "--size",    "64x48", "--errors", "2",
+             "--errors-step", "4",   "--report",    "report.json", "--frames",  "."});
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
     const auto report = nlohmann::json::parse(read_file("report.json"));
     EXPECT_EQ(report["frames"], 4);
@@ -105,12 +106,57 @@ TEST_F(PlanetApp, ReportsADescentWithEveryTechnique)
         EXPECT_LE(descent["fps"]["least"], descent["fps"]["mean"]);
         EXPECT_LE(descent["fps"]["mean"], descent["fps"]["most"]);
         EXPECT_GT(descent["mean_triangles"].get<double>(), 0.0);
+        EXPECT_GT(descent["errors"]["pixels"], 100);
+        EXPECT_LE(descent["errors"]["wrong_apart_share"], descent["errors"]["wrong_share"]);
+        std::size_t frames = 0;
+        for (const auto& band : descent["bands"])
+            frames += band["frames"].get<std::size_t>();
+        EXPECT_EQ(frames, 4U);
         EXPECT_NE(read(technique + "_0000.png").values, read(technique + "_0003.png").values);
     }
 }
 
+TEST_F(PlanetApp, FindsFrontsRightAndNoShadowsWrongInLowSun)
+{
+    const Finished finished = run({"--at",        "-155.6,20.08,3000",
+                                   "--heading",   "250",
+                                   "--pitch",     "-20",
+                                   "--azimuth",   "275",
+                                   "--altitude",  "8",
+                                   "--detail",    "0",
+                                   "--square",    "16",
+                                   "--flydown",   "2",
+                                   "--from",      "6",
+                                   "--to",        "3000",
+                                   "--technique", "all",
+                                   "--size",      "96x72",
+                                   "--errors",    "2",
+                                   "--report",    "report.json"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    const auto report = nlohmann::json::parse(read_file("report.json"));
+    const auto wrong = [&](std::size_t i) {
+        return report["descents"][i]["errors"]["wrong_share"].get<double>();
+    };
+    EXPECT_GT(wrong(0), 0.05);
+    EXPECT_LT(wrong(1), 0.5 * wrong(0));
+    EXPECT_LT(wrong(2), 0.03);
+    EXPECT_LT(wrong(2), wrong(1));
+}
+
+TEST_F(PlanetApp, FliesAboutAtRandomWithinItsBounds)
+{
+    const Finished finished = run({"--radius", "300", "--soak", "2", "--seed", "3", "--json"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    const auto report = nlohmann::json::parse(finished.out);
+    EXPECT_GE(report["frames"], 12);
+    EXPECT_GT(report["most_tiles"], 6);
+}
+
 TEST_F(PlanetApp, RefusesWhatIsWrongInOneLine)
 {
+    expect_error({"--errors", "3"}, 2, "--flydown");
+    expect_error({"--soak", "1", "--flydown", "3"}, 2, "--soak");
+    expect_error({"--flydown", "3", "--technique", "map-disc"}, 2, "there are: none, shadow-map, fronts");
     expect_error({"--technique", "magic"}, 2, "there are: none, shadow-map, fronts");
     expect_error({"--technique", "all"}, 2, "--flydown");
     expect_error({"--render", "p.png", "--flydown", "5"}, 2, "not both");

@@ -144,13 +144,15 @@ PlanetRenderer::PlanetRenderer(const ShaderSources& sources, const Globe& globe,
     patch_.set_indices(indices_);
 }
 
-const Program& PlanetRenderer::ground_program(const PlanetShadow& shadow)
+const Program& PlanetRenderer::ground_program(const PlanetShadow& shadow, bool probe)
 {
     std::vector<ShaderDefine> defines;
     if (shadow.map != nullptr)
         defines = shadow.map->defines();
     const char* kind = shadow.map != nullptr ? "1" : shadow.heights_of ? "2" : "0";
     defines.push_back({"PLANET_SHADOW", kind});
+    if (probe)
+        defines.push_back({"PLANET_PROBE", "1"});
     std::vector<std::string> key;
     key.reserve(defines.size());
     for (const ShaderDefine& define : defines)
@@ -261,9 +263,21 @@ DrawnPlanet PlanetRenderer::draw(const PlanetView& view, const PlanetLight& ligh
 DrawnPlanet PlanetRenderer::draw_ground(const PlanetView& view, const PlanetLight& light,
                                         std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
 {
+    return draw_with(false, view, light, patches, shadow);
+}
+
+DrawnPlanet PlanetRenderer::probe_ground(const PlanetView& view, const PlanetLight& light,
+                                         std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
+{
+    return draw_with(true, view, light, patches, shadow);
+}
+
+DrawnPlanet PlanetRenderer::draw_with(bool probe, const PlanetView& view, const PlanetLight& light,
+                                      std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
+{
     hold(patches, shadow);
     upload_tiles(view.eye_m, patches);
-    const Program& program = ground_program(shadow);
+    const Program& program = ground_program(shadow, probe);
     const double aspect = static_cast<double>(view.width) / static_cast<double>(view.height);
     program.use();
     set_surface(program);

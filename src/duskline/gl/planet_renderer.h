@@ -74,10 +74,18 @@ public:
     DrawnPlanet draw_ground(const PlanetView& view, const PlanetLight& light,
                             std::span<const PlanetPatch> patches, const PlanetShadow& shadow = {});
 
+    /// What there is to know of every pixel of ground instead of its colour, into a framebuffer of rgba32f: its place relative to
+    /// the eye, metres, axes planet-fixed, and how much light the shadows let through, 0 to 1; -1 on ground that faces away.
+    DrawnPlanet probe_ground(const PlanetView& view, const PlanetLight& light,
+                             std::span<const PlanetPatch> patches, const PlanetShadow& shadow = {});
+
     /// Draws the depth of the same mesh as a light sees it, into the current framebuffer with the depth test as it is:
     /// `to_clip` takes places relative to the eye, axes planet-fixed, to the light's clip space.
     DrawnPlanet draw_depth(const Vector3& eye_m, const Matrix4& to_clip,
                            std::span<const PlanetPatch> patches);
+
+    /// Layers that there is room for on the card, some 230 KB each.
+    std::size_t layers() const { return textures_.layers(); }
 
     /// To be called when a tile's heights have changed.
     void forget(const PlanetTile& tile) { textures_.forget(tile); }
@@ -86,7 +94,9 @@ public:
     bool reload_if_changed();
 
 private:
-    const Program& ground_program(const PlanetShadow& shadow);
+    const Program& ground_program(const PlanetShadow& shadow, bool probe);
+    DrawnPlanet draw_with(bool probe, const PlanetView& view, const PlanetLight& light,
+                          std::span<const PlanetPatch> patches, const PlanetShadow& shadow);
     void hold(std::span<const PlanetPatch> patches, const PlanetShadow& shadow);
     void upload_tiles(const Vector3& eye_m, std::span<const PlanetPatch> patches);
     void set_surface(const Program& program) const;

@@ -45,6 +45,9 @@ public:
     /// To be called when a tile's heights have changed: it is read anew when next held.
     void forget(const PlanetTile& tile) { slots_.erase(tile); }
 
+    /// That there is room for.
+    std::size_t layers() const { return heights_.layers(); }
+
     const TextureArray& heights() const { return heights_; }
     const TextureArray& measured() const { return measured_; }
     const TextureArray& shadow_heights() const { return shadow_heights_; }

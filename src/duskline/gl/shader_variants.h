@@ -57,6 +57,7 @@ inline const std::vector<ShaderVariant>& shader_variants()
         {"planet.frag.glsl", {{"PLANET_SHADOW", "0"}}},
         {"planet.frag.glsl", {{"PLANET_SHADOW", "1"}}},
         {"planet.frag.glsl", {{"PLANET_SHADOW", "2"}}},
+        {"planet.frag.glsl", {{"PLANET_SHADOW", "2"}, {"PLANET_PROBE", "1"}}},
         {"planet.vert.glsl"},
         {"planet_depth.vert.glsl"},
         {"planet_sky.frag.glsl"},

@@ -5,6 +5,7 @@
 //   0             nowhere: all is lit that faces the sun
 //   1             a shadow map
 //   2             shadow heights of the tiles
+// PLANET_PROBE    instead of colours: the place from the eye, and the light that gets there, below 0 on ground that faces away
 
 #version 430 core
 #include "planet_surface.glsl"
@@ -94,6 +95,10 @@ void main()
     float steepness = sqrt(1.0 - upright * upright) / upright;
     PlanetPlace place = PlanetPlace(from_eye_m, normal, at, height_m, turned, tile_layers, in_parent);
     float lit = planet_shadow(place);
+#ifdef PLANET_PROBE
+    pixel = vec4(from_eye_m, dot(normal, towards_sun) > 0.0 ? lit : -1.0);
+    return;
+#endif
     vec3 colour = ground_colour(outwards, steepness) * 2.2;
     if (show_made && is_made())
         colour = mix(colour, vec3(0.9, 0.1, 0.6), 0.35);

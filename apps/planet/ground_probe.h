@@ -1,0 +1,25 @@
+#pragma once
+
+#include "planet_scene.h"
+#include "shadow_truth.h"
+
+#include <duskline/gl/framebuffer.h>
+#include <duskline/gl/texture.h>
+
+namespace duskline::planet_app {
+
+/// Where pictures of places and shadows are drawn instead of colours.
+class GroundProbe {
+public:
+    GroundProbe(std::size_t width, std::size_t height);
+
+    /// Of a state, with everything there that the view wants. Leaves its own framebuffer bound.
+    ProbedPicture settled(PlanetScene& scene, const PlanetState& state) const;
+
+private:
+    gl::Texture places_;
+    gl::Texture depth_;
+    gl::Framebuffer framebuffer_;
+};
+
+} // namespace duskline::planet_app
