@@ -57,12 +57,34 @@ bool is_made()
     return texelFetch(planet_measured, ivec3(ivec2(at + 1.5), tile_layers.x), 0).r == 0.0;
 }
 
+// How much of the ground around a place of a tile is land: corners above the sea by weights of a quadratic spline. Where the mesh
+// itself leaves the sea the shore would go in steps along its squares.
+float land_around(int layer, vec2 corner)
+{
+    ivec2 middle = ivec2(round(corner));
+    vec2 t = corner - vec2(middle);
+    vec2 weights[3] = vec2[](0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t));
+    float land = 0.0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            if (tile_height_m(layer, middle + ivec2(column - 1, row - 1)) > 0.0)
+                land += weights[column].x * weights[row].y;
+    return land;
+}
+
+// 0 on the sea, 1 on land, between them a pixel.
+float land_share()
+{
+    float own = land_around(tile_layers.x, at);
+    float land = turned > 0.0 ? mix(own, land_around(tile_layers.y, vec2(in_parent) + 0.5 * at), turned) : own;
+    float soft = clamp(fwidth(land), 1e-3, 0.5);
+    return smoothstep(0.5 - soft, 0.5 + soft, land);
+}
+
 vec3 ground_colour(vec3 outwards, float steepness)
 {
     if (!living)
         return mix(vec3(0.20, 0.19, 0.18), vec3(0.30, 0.29, 0.28), smoothstep(-3000.0, 4000.0, height_m));
-    if (height_m <= 0.0)
-        return vec3(0.012, 0.036, 0.075);
     float northern = abs(outwards.z);
     vec3 low = mix(vec3(0.065, 0.115, 0.030), vec3(0.115, 0.110, 0.060), smoothstep(0.3, 0.9, northern));
     vec3 colour = mix(low, vec3(0.200, 0.160, 0.085), smoothstep(200.0, 1800.0, height_m));
@@ -70,7 +92,8 @@ vec3 ground_colour(vec3 outwards, float steepness)
     colour = mix(colour, vec3(0.160, 0.145, 0.130), smoothstep(0.35, 0.8, steepness));
     float snow_line_m = 5200.0 * (1.0 - smoothstep(0.30, 0.96, northern)) - 200.0;
     float snow = smoothstep(-300.0, 500.0, height_m - snow_line_m) * (1.0 - smoothstep(0.6, 1.2, steepness));
-    return mix(colour, vec3(0.80, 0.83, 0.87), snow);
+    colour = mix(colour, vec3(0.80, 0.83, 0.87), snow);
+    return mix(vec3(0.012, 0.036, 0.075), colour, land_share());
 }
 
 vec3 light_on(vec3 outwards, float lit)
