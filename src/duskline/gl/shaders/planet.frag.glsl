@@ -81,7 +81,7 @@ float land_share()
     return smoothstep(0.5 - soft, 0.5 + soft, land);
 }
 
-vec3 ground_colour(vec3 outwards, float steepness)
+vec3 ground_colour(vec3 outwards, float steepness, float land)
 {
     if (!living)
         return mix(vec3(0.20, 0.19, 0.18), vec3(0.30, 0.29, 0.28), smoothstep(-3000.0, 4000.0, height_m));
@@ -93,12 +93,11 @@ vec3 ground_colour(vec3 outwards, float steepness)
     float snow_line_m = 5200.0 * (1.0 - smoothstep(0.30, 0.96, northern)) - 200.0;
     float snow = smoothstep(-300.0, 500.0, height_m - snow_line_m) * (1.0 - smoothstep(0.6, 1.2, steepness));
     colour = mix(colour, vec3(0.80, 0.83, 0.87), snow);
-    return mix(vec3(0.012, 0.036, 0.075), colour, land_share());
+    return mix(vec3(0.012, 0.036, 0.075), colour, land);
 }
 
-vec3 light_on(vec3 outwards, float lit)
+vec3 light_on(vec3 outwards, vec3 facing, float lit)
 {
-    vec3 facing = normalize(normal);
     float sine = dot(outwards, towards_sun);
     // Eyes take low light for brighter than it is.
     float direct = max(0.0, dot(facing, towards_sun));
@@ -122,10 +121,12 @@ void main()
     pixel = vec4(from_eye_m, dot(normal, towards_sun) > 0.0 ? lit : -1.0);
     return;
 #endif
-    vec3 colour = ground_colour(outwards, steepness) * 2.2;
+    float land = living ? land_share() : 1.0;
+    vec3 colour = ground_colour(outwards, steepness, land) * 2.2;
     if (show_made && is_made())
         colour = mix(colour, vec3(0.9, 0.1, 0.6), 0.35);
-    colour *= light_on(outwards, lit);
+    // The sea is level, though the mesh rises from it before the shore.
+    colour *= light_on(outwards, normalize(mix(outwards, normalize(normal), land)), lit);
     vec4 overlay = planet_shadow_overlay(place, lit);
     colour = mix(colour, overlay.rgb, overlay.a);
     Haze haze = haze_before(from_eye_m);
