@@ -57,6 +57,9 @@ bool is_made()
     return texelFetch(planet_measured, ivec3(ivec2(at + 1.5), tile_layers.x), 0).r == 0.0;
 }
 
+// Means and interpolation of sources leave ripples of less than that on the sea before steep shores.
+const float kShore_m = 2.0;
+
 // How much of the ground around a place of a tile is land: corners above the sea by weights of a quadratic spline. Where the mesh
 // itself leaves the sea the shore would go in steps along its squares.
 float land_around(int layer, vec2 corner)
@@ -67,7 +70,7 @@ float land_around(int layer, vec2 corner)
     float land = 0.0;
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
-            if (tile_height_m(layer, middle + ivec2(column - 1, row - 1)) > 0.0)
+            if (tile_height_m(layer, middle + ivec2(column - 1, row - 1)) > kShore_m)
                 land += weights[column].x * weights[row].y;
     return land;
 }
