@@ -150,6 +150,7 @@ TEST_F(PlanetApp, FliesAboutAtRandomWithinItsBounds)
     const auto report = nlohmann::json::parse(finished.out);
     EXPECT_GE(report["frames"], 12);
     EXPECT_GT(report["most_tiles"], 6);
+    EXPECT_GE(report["most_front_tiles"], 6);
 }
 
 TEST_F(PlanetApp, RefusesWhatIsWrongInOneLine)
