@@ -1,10 +1,11 @@
 #include "panel.h"
 
+#include "panel_parts.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 
 namespace duskline::planet_app {
@@ -12,24 +13,8 @@ namespace {
 
 constexpr float kWidth = 300.0f;
 
-void text(const std::string& line)
-{
-    ImGui::TextUnformatted(line.c_str());
-}
-
-bool slider(const char* label, double& value, double least, double most, const char* format,
-            ImGuiSliderFlags flags = 0)
-{
-    return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, format, flags);
-}
-
-template <typename Enum>
-void choice(const char* label, Enum& value, const char* names)
-{
-    int index = static_cast<int>(value);
-    if (ImGui::Combo(label, &index, names))
-        value = static_cast<Enum>(index);
-}
+using window::slider;
+using window::text;
 
 void draw_figures(const FrameFigures& figures)
 {
@@ -96,34 +81,6 @@ void draw_sun(PlanetState& state, Activity& activity, const ViewedPlanet& viewed
     bring_up_to_date(state.sun);
 }
 
-void draw_map_options(gl::ShadowMapOptions& options, gl::ShadowMapLook& look)
-{
-    constexpr std::array<std::size_t, 4> sizes = {1024, 2048, 4096, 8192};
-    int size = static_cast<int>(std::ranges::find(sizes, options.size) - sizes.begin());
-    if (ImGui::Combo("Texels a side", &size, "1024\0002048\0004096\0008192\0"))
-        options.size = sizes.at(static_cast<std::size_t>(size));
-    choice("Filter", options.filter, "one tap\0kernels by distance\0Poisson disc\0moments, separable\0");
-    if (options.filter != gl::ShadowMapFilter::moments)
-        ImGui::Checkbox("Hardware compares four", &options.linear_compare);
-    if (options.filter == gl::ShadowMapFilter::kernels || options.filter == gl::ShadowMapFilter::disc) {
-        ImGui::Checkbox("Filter penumbras only", &options.penumbra_only);
-        slider("Texels from tap to tap", options.spread, 0.25, 3.0, "%.2f");
-    }
-    if (options.filter == gl::ShadowMapFilter::disc) {
-        int samples = static_cast<int>(options.samples);
-        if (ImGui::SliderInt("Samples", &samples, 4, 16))
-            options.samples = static_cast<std::size_t>(samples);
-    }
-    slider("Slope offset", options.slope_offset, 0.0, 8.0, "%.1f");
-    choice("Casters", options.faces, "all faces\0reversed winding\0");
-    slider("Reach, clearances", options.reach, 2.0, 100.0, "%.0f", ImGuiSliderFlags_Logarithmic);
-    bool wide = options.wide_reach > 0.0;
-    if (ImGui::Checkbox("Wide map around it", &wide))
-        options.wide_reach = wide ? 8.0 * options.reach : 0.0;
-    slider("Overcast", look.overcast, 0.0, 1.0, "%.2f");
-    choice("Show", look.overlay, "shadows\0kernels\0fade at the border\0penumbras\0the box\0");
-}
-
 void draw_shadows(PlanetState& state)
 {
     if (ImGui::BeginCombo("Technique", std::string(name_of(state.technique)).c_str())) {
@@ -136,7 +93,7 @@ void draw_shadows(PlanetState& state)
         ImGui::EndCombo();
     }
     if (state.technique == PlanetTechnique::shadow_map)
-        draw_map_options(state.shadow_map, state.shadow_look);
+        window::shadow_map_controls(state.shadow_map, state.shadow_look);
 }
 
 void draw_look(PlanetState& state)

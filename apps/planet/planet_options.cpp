@@ -4,6 +4,7 @@
 #include "help_page.h"
 #include "light_options.h"
 #include "option_values.h"
+#include "shadow_map_settings.h"
 #include "shadow_variants.h"
 
 #include <fmt/format.h>
@@ -139,6 +140,16 @@ void add_view(CLI::App& app, PlanetOptions& options)
     app.add_option("--technique", options.technique,
                    "how shadows are found: " + technique_list() + "; with --flydown also all; else fronts")
         ->type_name("NAME")
+        ->group(kView);
+    app.add_option_function<std::string>(
+           "--shadow-map",
+           [&options](const std::string& typed) {
+               const auto settings = window::parse_shadow_map_option(typed);
+               options.look.shadow_map = settings.options;
+               options.look.shadow_look = settings.look;
+           },
+           "settings of the technique shadow-map, by commas, in place of " + window::shadow_map_help())
+        ->type_name("NAME=VALUE,...")
         ->group(kView);
     cli::add_number(app,
                     {.names = "--square",

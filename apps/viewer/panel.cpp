@@ -1,5 +1,7 @@
 #include "panel.h"
 
+#include "panel_parts.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -11,15 +13,8 @@ namespace {
 
 constexpr float kWidth = 300.0f;
 
-void text(const std::string& line)
-{
-    ImGui::TextUnformatted(line.c_str());
-}
-
-bool slider(const char* label, double& value, double least, double most, const char* format)
-{
-    return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, format);
-}
+using window::slider;
+using window::text;
 
 void draw_clock(ViewerLight& light, Activity& activity, double& speed, const SunClock& clock)
 {
@@ -59,32 +54,6 @@ void draw_light(ViewerState& state, Activity& activity, const SunClock& clock)
         draw_clock(state.light, activity, state.clock_s_per_s, clock);
 }
 
-template <typename Choice, std::size_t kCount>
-void choose(const char* label, Choice& value, const char* const (&names)[kCount])
-{
-    int index = static_cast<int>(value);
-    ImGui::Combo(label, &index, names, static_cast<int>(kCount));
-    value = static_cast<Choice>(index);
-}
-
-void draw_shadow_map(ShadowMapSettings& settings)
-{
-    gl::ShadowMapOptions& options = settings.options;
-    choose("Filter", options.filter, kFilterNames);
-    choose("False colours", settings.look.overlay, kOverlayNames);
-    ImGui::Checkbox("Linear", &options.linear_compare);
-    ImGui::SameLine();
-    ImGui::Checkbox("Penumbra only", &options.penumbra_only);
-    bool wide = options.wide_reach > 0.0;
-    ImGui::Checkbox("Wide map", &wide);
-    options.wide_reach = wide ? 8.0 * options.reach : 0.0;
-    ImGui::SameLine();
-    bool away = options.faces == gl::CasterFaces::away_from_light;
-    ImGui::Checkbox("Back faces", &away);
-    options.faces = away ? gl::CasterFaces::away_from_light : gl::CasterFaces::all;
-    slider("Overcast", settings.look.overcast, 0.0, 1.0, "%.2f");
-}
-
 void draw_shadows(ViewerState& state, Activity& activity, double done)
 {
     if (ImGui::BeginCombo("Technique", state.technique.c_str())) {
@@ -106,8 +75,8 @@ void draw_shadows(ViewerState& state, Activity& activity, double done)
     }
     if (done < 1.0)
         text(fmt::format("{:.0f} % of the shadows made", 100.0 * done));
-    if (state.technique == kShadowMapTechnique)
-        draw_shadow_map(state.shadow_map);
+    if (state.technique == window::kShadowMapTechnique)
+        window::shadow_map_controls(state.shadow_map.options, state.shadow_map.look);
     ImGui::Checkbox("Mark what is wrong", &state.difference);
     ImGui::SameLine();
     activity.wants_count = ImGui::SmallButton("Count");

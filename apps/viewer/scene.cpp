@@ -45,11 +45,11 @@ Scene::Scene(ViewedTerrain& viewed, const SunClock& clock, const gl::ShaderSourc
 
 void Scene::choose_technique(const ViewerState& state)
 {
-    const std::string shadow_map = text_of({state.shadow_map.options, {}});
+    const std::string shadow_map = window::text_of({state.shadow_map.options, {}});
     if (technique_ && technique_name_ == state.technique && soft_ == state.soft && shadow_map_ == shadow_map)
         return;
     const gl::ShadowTechniqueKind& kind = gl::shadow_technique_named(state.technique);
-    if (kind.name == kShadowMapTechnique)
+    if (kind.name == window::kShadowMapTechnique)
         technique_ = std::make_unique<gl::TerrainShadowMap>(sources_, textures_, state.shadow_map.options);
     else
         technique_ = kind.make(sources_, textures_, state.soft && kind.has_soft_edges);
@@ -296,7 +296,7 @@ ViewerState first_state(const ViewerOptions& options, const ViewedTerrain& viewe
     if (!options.technique.empty() && options.technique != "all")
         state.technique = options.technique;
     if (!options.shadow_map.empty())
-        state.shadow_map = parse_shadow_map(options.shadow_map);
+        state.shadow_map = window::parse_shadow_map(options.shadow_map);
     if (!options.animation.empty())
         state.animation = options.animation;
     state.animation_s = options.animation_s.value_or(state.animation_s);

@@ -63,7 +63,8 @@ void add_look(CLI::App& app, ViewerOptions& options)
         ->type_name("NAME")
         ->group(kLook);
     app.add_option("--shadow-map", options.shadow_map,
-                   "settings of the technique shadow-map, by commas, in place of " + shadow_map_help())
+                   "settings of the technique shadow-map, by commas, in place of "
+                       + window::shadow_map_help())
         ->type_name("NAME=VALUE,...")
         ->group(kLook);
     app.add_flag("--soft", options.soft, "soft edges of shadows, by techniques that have them")->group(kLook);
@@ -204,11 +205,7 @@ void require_consistent(const ViewerOptions& options)
         gl::shadow_technique_named(options.technique);
     if (!options.animation.empty())
         require_motion(options.animation);
-    try {
-        parse_shadow_map(options.shadow_map);
-    } catch (const InvalidInput& error) {
-        throw UsageError(std::string("--shadow-map: ") + error.what());
-    }
+    window::parse_shadow_map_option(options.shadow_map);
     cli::require_palette(options.picture);
 }
 

@@ -155,11 +155,11 @@ std::string technique_of(const Reader& reader, const std::string& otherwise)
     return name;
 }
 
-ShadowMapSettings shadow_map_of(const Reader& reader, const ShadowMapSettings& otherwise)
+window::ShadowMapSettings shadow_map_of(const Reader& reader, const window::ShadowMapSettings& otherwise)
 {
     const auto text = reader.text("shadow_map");
     try {
-        return text ? parse_shadow_map(*text) : otherwise;
+        return text ? window::parse_shadow_map(*text) : otherwise;
     } catch (const InvalidInput& error) {
         reader.fail(error.what());
     }
@@ -212,7 +212,7 @@ void write_state(const std::string& path, const ViewerState& state)
     write_json(path, {{"camera", json_of(state.camera)},
                       {"light", light},
                       {"technique", state.technique},
-                      {"shadow_map", text_of(state.shadow_map)},
+                      {"shadow_map", window::text_of(state.shadow_map)},
                       {"soft", state.soft},
                       {"light_maps", state.light_maps},
                       {"difference", state.difference},

@@ -72,6 +72,14 @@ TEST_F(PlanetApp, HasNightAndDay)
     EXPECT_GT(brightness(rendered("noon.png", noon)), 4.0 * brightness(rendered("night.png", night)));
 }
 
+TEST_F(PlanetApp, SetsTheShadowMapAsItIsTold)
+{
+    const Arguments usual = {"--radius", "300", "--at", "10,20,100", "--technique", "shadow-map"};
+    Arguments overlay = usual;
+    overlay.insert(overlay.end(), {"--shadow-map", "size=512,overlay=kernels"});
+    EXPECT_NE(rendered("usual.png", usual), rendered("overlay.png", overlay));
+}
+
 TEST_F(PlanetApp, ShowsTheShadowsOfHawaiiByEveryTechnique)
 {
     const auto with = [&](const std::string& technique) {
@@ -160,6 +168,7 @@ TEST_F(PlanetApp, RefusesWhatIsWrongInOneLine)
     expect_error({"--flydown", "3", "--technique", "map-disc"}, 2, "there are: none, shadow-map, fronts");
     expect_error({"--technique", "magic"}, 2, "there are: none, shadow-map, fronts");
     expect_error({"--technique", "all"}, 2, "--flydown");
+    expect_error({"--shadow-map", "filter=blur"}, 2, "--shadow-map: the shadow map's filter must be");
     expect_error({"--render", "p.png", "--flydown", "5"}, 2, "not both");
     expect_error({"--report", "r.json"}, 2, "--flydown");
     expect_error({"--flydown", "5", "--from", "0.01", "--to", "20"}, 2, "--from must be above --to");

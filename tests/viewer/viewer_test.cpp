@@ -133,6 +133,8 @@ TEST_F(Viewer, RefusesOptionsThatDoNotGoTogether)
     expect_error({"dem.tif", "--technique", "all"}, 2, "--flyby");
     expect_error({"dem.tif", "--render", "p.png", "--flyby", "5"}, 2, "not both");
     expect_error({"dem.tif", "--report", "r.json"}, 2, "--flyby");
+    expect_error({"dem.tif", "--shadow-map", "filter=blur"}, 2,
+                 "--shadow-map: the shadow map's filter must be");
     expect_error({"dem.tif", "--animate", "jelly"}, 2, "there are: crater, waves, landscape");
     expect_error({"dem.tif", "--render", "p.png", "--size", "100"}, 2, "--size must be");
     expect_error({"dem.tif", "--render", "p.png", "--size", "100x99999"}, 2, "at most");

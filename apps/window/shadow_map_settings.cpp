@@ -1,5 +1,7 @@
 #include "shadow_map_settings.h"
 
+#include "exit_code.h"
+
 #include <duskline/geometry/invalid_input.h>
 
 #include <fmt/format.h>
@@ -10,8 +12,12 @@
 #include <charconv>
 #include <sstream>
 
-namespace duskline::viewer {
+namespace duskline::window {
 namespace {
+
+// As typed, in the order of their types.
+constexpr const char* kFilterNames[] = {"none", "kernels", "disc", "moments"};
+constexpr const char* kOverlayNames[] = {"none", "kernels", "fade", "penumbra", "box"};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& value, const std::string& right)
 {
@@ -111,6 +117,15 @@ ShadowMapSettings parse_shadow_map(const std::string& text)
     return settings;
 }
 
+ShadowMapSettings parse_shadow_map_option(const std::string& typed)
+{
+    try {
+        return parse_shadow_map(typed);
+    } catch (const InvalidInput& error) {
+        throw cli::UsageError(std::string("--shadow-map: ") + error.what());
+    }
+}
+
 std::string text_of(const ShadowMapSettings& settings)
 {
     const ShadowMapSettings usual;
@@ -128,4 +143,4 @@ std::string shadow_map_help()
            "box)";
 }
 
-} // namespace duskline::viewer
+} // namespace duskline::window

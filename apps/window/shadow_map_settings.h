@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace duskline::viewer {
+namespace duskline::window {
 
 /// How the technique shadow-map is set, and how it is shown.
 struct ShadowMapSettings {
@@ -16,13 +16,12 @@ struct ShadowMapSettings {
 /// The technique that has them.
 inline constexpr std::string_view kShadowMapTechnique = "shadow-map";
 
-/// Names of the settings, as typed and shown.
-inline constexpr const char* kFilterNames[] = {"none", "kernels", "disc", "moments"};
-inline constexpr const char* kOverlayNames[] = {"none", "kernels", "fade", "penumbra", "box"};
-
 /// Reads "filter=disc,size=2048"; what is not named has its usual value. Throws InvalidInput with the name and what would
 /// be right.
 ShadowMapSettings parse_shadow_map(const std::string& text);
+
+/// The same as typed after --shadow-map. Throws UsageError, which names the option.
+ShadowMapSettings parse_shadow_map_option(const std::string& typed);
 
 /// The same settings as a text: all that are not usual. Equal settings have equal texts.
 std::string text_of(const ShadowMapSettings& settings);
@@ -30,4 +29,4 @@ std::string text_of(const ShadowMapSettings& settings);
 /// One line for help texts.
 std::string shadow_map_help();
 
-} // namespace duskline::viewer
+} // namespace duskline::window
