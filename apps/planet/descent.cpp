@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <vector>
@@ -269,23 +268,6 @@ void report_flight(cli::Report& report, const nlohmann::ordered_json& flight)
         report.line(as_line("  " + band["band"].get<std::string>(), band));
 }
 
-void require_places(const PlanetOptions& options)
-{
-    if (!options.report.empty() && !options.overwrite && std::filesystem::exists(options.report))
-        throw OutputError(fmt::format("'{}' is there already: --overwrite replaces it", options.report));
-    if (!options.frames.empty() && !std::filesystem::is_directory(options.frames))
-        throw OutputError(fmt::format("--frames: there is no folder '{}'", options.frames));
-}
-
-void write_report(const std::string& path, const nlohmann::ordered_json& json)
-{
-    std::ofstream file(path);
-    file << json.dump(2) << '\n';
-    file.close();
-    if (!file)
-        throw OutputError(fmt::format("cannot write '{}'", path));
-}
-
 std::vector<ShadowVariant> variants_of(const PlanetOptions& options, const PlanetState& usual)
 {
     std::vector<ShadowVariant> variants = shadow_techniques(usual.shadow_map);
@@ -316,7 +298,7 @@ void report_way(cli::Report& report, const PlanetOptions& options, const std::st
 
 void fly_down(const PlanetOptions& options, cli::Report& report)
 {
-    require_places(options);
+    window::require_new_report(options);
     const gl::HeadlessContext context;
     const gl::ContextInfo info = gl::current_context();
     const ViewedPlanet viewed = read_viewed_planet(options, report);
@@ -338,8 +320,7 @@ void fly_down(const PlanetOptions& options, cli::Report& report)
             add_shadow_cost(flight, none);
         report_flight(report, flight);
     }
-    if (!options.report.empty())
-        write_report(options.report, report.json());
+    window::write_report(options, report.json());
 }
 
 } // namespace duskline::planet_app

@@ -6,12 +6,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace duskline::planet_app {
 namespace {
-
-constexpr float kWidth = 300.0f;
 
 using window::slider;
 using window::text;
@@ -35,33 +32,6 @@ void draw_place(const ViewedPlanet& viewed, const PlanetState& state)
                      pose.heading.degrees(), pose.pitch.degrees()));
 }
 
-void draw_clock(PlanetSun& sun, Activity& activity)
-{
-    using namespace std::chrono;
-    if (!sun.time) {
-        if (ImGui::Button("By date and time"))
-            sun.time = DateTime{floor<microseconds>(system_clock::now())};
-        return;
-    }
-    text(to_iso8601(*sun.time));
-    const auto midnight = floor<days>(sun.time->utc);
-    int minute = static_cast<int>(duration_cast<minutes>(sun.time->utc - midnight).count());
-    if (ImGui::SliderInt("UTC", &minute, 0, 24 * 60 - 1,
-                         fmt::format("{:02}:{:02}", minute / 60, minute % 60).c_str()))
-        sun.time->utc = midnight + minutes(minute);
-    const auto first_day = sys_days(year_month_day(midnight).year() / January / 1);
-    const int today = static_cast<int>((midnight - first_day).count());
-    int day = today;
-    if (ImGui::SliderInt("Day of year", &day, 0, 364))
-        sun.time->utc += days(day - today);
-    ImGui::Checkbox("Running", &activity.clock_runs);
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(110.0f);
-    slider("s per s", sun.clock_s_per_s, -7200.0, 7200.0, "%.0f");
-    if (ImGui::Button("By angles"))
-        sun.time = std::nullopt;
-}
-
 void draw_sun(PlanetState& state, Activity& activity, const ViewedPlanet& viewed)
 {
     const Globe& globe = viewed.terrain->globe();
@@ -77,7 +47,7 @@ void draw_sun(PlanetState& state, Activity& activity, const ViewedPlanet& viewed
             globe, {Angle::from_degrees(azimuth_deg), Angle::from_degrees(altitude_deg)}, place);
     }
     if (viewed.living)
-        draw_clock(state.sun, activity);
+        window::clock_controls(state.sun.time, activity.clock_runs, state.sun.clock_s_per_s);
     bring_up_to_date(state.sun);
 }
 
@@ -108,37 +78,33 @@ void draw_look(PlanetState& state)
 
 void draw_help(bool& open)
 {
-    if (ImGui::Begin("Keys", &open, ImGuiWindowFlags_AlwaysAutoResize))
-        text("Left drag          move over the ground\n"
-             "Shift + left drag  move the sun\n"
-             "Right drag         look elsewhere\n"
-             "Middle drag        turn around what is in the middle\n"
-             "Wheel              down, up\n"
-             "W A S D, Q E       fly; with Shift faster\n"
-             "Home               the whole planet\n"
-             "Tab                next technique\n"
-             "M                  mark made-up detail\n"
-             "Space              let the clock run\n"
-             "F1                 these keys\n"
-             "F5                 read changed shaders\n"
-             "F10                hide the panel\n"
-             "F12                screenshot\n"
-             "Escape             leave");
-    ImGui::End();
+    window::show_keys(open, "Left drag          move over the ground\n"
+                            "Shift + left drag  move the sun\n"
+                            "Right drag         look elsewhere\n"
+                            "Middle drag        turn around what is in the middle\n"
+                            "Wheel              down, up\n"
+                            "W A S D, Q E       fly; with Shift faster\n"
+                            "Home               the whole planet\n"
+                            "Tab                next technique\n"
+                            "M                  mark made-up detail\n"
+                            "Space              let the clock run\n"
+                            "F1                 these keys\n"
+                            "F5                 read changed shaders\n"
+                            "F10                hide the panel\n"
+                            "F12                screenshot\n"
+                            "Escape             leave");
 }
 
 } // namespace
 
 void draw_panel(PlanetState& state, Activity& activity, const ViewedPlanet& viewed,
-                const FrameFigures& figures)
+                const FrameFigures& figures, const std::string& message)
 {
     if (activity.help)
         draw_help(activity.help);
     if (!activity.panel)
         return;
-    ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
-    ImGui::Begin("Duskline", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
-    ImGui::PushItemWidth(0.6f * kWidth);
+    window::begin_panel();
     draw_figures(figures);
     draw_place(viewed, state);
     if (ImGui::CollapsingHeader("Sun", ImGuiTreeNodeFlags_DefaultOpen))
@@ -151,12 +117,7 @@ void draw_panel(PlanetState& state, Activity& activity, const ViewedPlanet& view
     ImGui::SameLine();
     if (ImGui::Button("Keys"))
         activity.help = !activity.help;
-    ImGui::PushTextWrapPos(kWidth);
-    if (!activity.message.empty())
-        text(activity.message);
-    ImGui::PopTextWrapPos();
-    ImGui::PopItemWidth();
-    ImGui::End();
+    window::end_panel(message);
 }
 
 } // namespace duskline::planet_app

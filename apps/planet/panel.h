@@ -22,14 +22,13 @@ struct Activity {
     bool clock_runs = false;
     bool panel = true;
     bool help = false;
-    std::string message; ///< what was last done
 
     // Set by the panel, done and cleared by the window.
     bool wants_screenshot = false;
 };
 
-/// Draws the panel, and changes state and activity as hands on it do.
+/// Draws the panel, with a message of what was last done, and changes state and activity as hands on it do.
 void draw_panel(PlanetState& state, Activity& activity, const ViewedPlanet& viewed,
-                const FrameFigures& figures);
+                const FrameFigures& figures, const std::string& message);
 
 } // namespace duskline::planet_app

@@ -19,20 +19,9 @@ using cli::UsageError;
 constexpr auto kPlanet = "Planet";
 constexpr auto kView = "View";
 constexpr auto kLight = "Light";
-constexpr auto kHeadless = "Without a window";
+constexpr auto kFlight = "--flydown";
 
-constexpr std::size_t kMostPixels = 16384;
-
-void read_size(const std::string& typed, PlanetOptions& options)
-{
-    const std::size_t cross = typed.find('x');
-    if (cross == std::string::npos)
-        throw UsageError(fmt::format("--size must be width x height such as 1024x768, got '{}'", typed));
-    options.width = cli::parse_count("--size", typed.substr(0, cross), 16);
-    options.height = cli::parse_count("--size", typed.substr(cross + 1), 16);
-    if (options.width > kMostPixels || options.height > kMostPixels)
-        throw UsageError(fmt::format("--size must be at most {0}x{0}, got '{1}'", kMostPixels, typed));
-}
+using window::kHeadlessGroup;
 
 // "LON,LAT,HEIGHT"
 void read_pose(const std::string& typed, PlanetPose& pose)
@@ -131,12 +120,7 @@ void add_view(CLI::App& app, PlanetOptions& options)
                .text = "angle from the lower to the upper border of the picture",
                .range = {.least = 1.0, .most = 120.0}},
               options.pose.vertical_view);
-    app.add_option_function<std::string>(
-           "--size", [&options](const std::string& typed) { read_size(typed, options); },
-           "of the window or the picture, pixels")
-        ->type_name("WxH")
-        ->default_str("1024x768")
-        ->group(kView);
+    window::add_size_option(app, options, kView);
     app.add_option("--technique", options.technique,
                    "how shadows are found: " + technique_list() + "; with --flydown also all; else fronts")
         ->type_name("NAME")
@@ -187,9 +171,7 @@ void add_light(CLI::App& app, PlanetOptions& options)
 
 void add_headless(CLI::App& app, PlanetOptions& options)
 {
-    app.add_option("--render", options.render, "write one picture, needs no display; PNG, JPEG, ...")
-        ->type_name("FILE")
-        ->group(kHeadless);
+    window::add_render_option(app, options);
     app.add_option_function<std::string>(
            "--flydown",
            [&options](const std::string& typed) {
@@ -198,25 +180,25 @@ void add_headless(CLI::App& app, PlanetOptions& options)
            "fly from space down to the place of --at in so many frames, and say how long they took; needs no "
            "display")
         ->type_name("FRAMES")
-        ->group(kHeadless);
+        ->group(kHeadlessGroup);
     cli::add_number(app,
                     {.names = "--from",
                      .unit = "KM",
                      .text = "height over the ground where --flydown begins",
                      .range = {.least = 0.001, .most = 1e6}},
                     options.from_km)
-        ->group(kHeadless);
+        ->group(kHeadlessGroup);
     cli::add_number(app,
                     {.names = "--to",
                      .unit = "M",
                      .text = "height over the ground where it ends, looking as --pitch says",
                      .range = {.least = 0.5, .most = 1e8}},
                     options.to_m)
-        ->group(kHeadless);
+        ->group(kHeadlessGroup);
     app.add_flag("--variants", options.variants,
                  "with --flydown: the shadow map with each of its options, too; --technique may name one of "
                  "them")
-        ->group(kHeadless);
+        ->group(kHeadlessGroup);
     app.add_option_function<std::string>(
            "--errors",
            [&options](const std::string& typed) { options.errors = cli::parse_count("--errors", typed, 2); },
@@ -224,7 +206,7 @@ void add_headless(CLI::App& app, PlanetOptions& options)
            "and "
            "the sun; takes seconds a frame")
         ->type_name("FRAMES")
-        ->group(kHeadless);
+        ->group(kHeadlessGroup);
     app.add_option_function<std::string>(
            "--errors-step",
            [&options](const std::string& typed) {
@@ -233,29 +215,12 @@ void add_headless(CLI::App& app, PlanetOptions& options)
            "compare every so many pixels, in rows and columns")
         ->type_name("PX")
         ->default_str("8")
-        ->group(kHeadless);
-    cli::add_number(app,
-                    {.names = "--soak",
-                     .unit = "SECONDS",
-                     .text = "fly about at random for so long, with every technique, and fail when OpenGL "
-                             "complains or memory grows beyond its bounds; needs no display",
-                     .range = {.least = 0.1, .most = 1e6}},
-                    options.soak_s)
-        ->group(kHeadless);
-    app.add_option_function<std::string>(
-           "--seed",
-           [&options](const std::string& typed) { options.seed = cli::parse_count("--seed", typed, 0); },
-           "of --soak: the same number, the same flight")
-        ->type_name("N")
-        ->default_str("1")
-        ->group(kHeadless);
-    app.add_option("--report", options.report, "write the figures of --flydown to a JSON file")
-        ->type_name("FILE")
-        ->group(kHeadless);
-    app.add_option("--frames", options.frames, "write the pictures of --flydown into a folder that is there")
-        ->type_name("FOLDER")
-        ->group(kHeadless);
-    app.add_flag("--overwrite", options.overwrite, "replace files that are there")->group(kHeadless);
+        ->group(kHeadlessGroup);
+    window::add_soak_options(
+        app, options,
+        "fly about at random for so long, with every technique, and fail when OpenGL complains or "
+        "memory grows beyond its bounds; needs no display");
+    window::add_output_options(app, options, kFlight);
 }
 
 } // namespace
@@ -296,15 +261,9 @@ void require_known_technique(const PlanetOptions& options)
 
 void require_consistent(const PlanetOptions& options)
 {
-    if (!options.render.empty() && options.flydown_frames)
-        throw UsageError("give --render or --flydown, not both");
-    if (options.soak_s && (!options.render.empty() || options.flydown_frames))
-        throw UsageError("give --soak without --render and --flydown");
+    window::require_one_task(options, options.flydown_frames.has_value(), kFlight);
     if (!options.flydown_frames && (options.variants || options.errors > 0))
         throw UsageError("--variants and --errors are for --flydown");
-    if (!options.flydown_frames && (!options.report.empty() || !options.frames.empty()))
-        throw UsageError(
-            "--report and --frames say where --flydown leaves what it finds: give --flydown FRAMES");
     if (!options.flydown_frames && options.technique == "all")
         throw UsageError("--technique all is for --flydown");
     if (options.flydown_frames && !(1000.0 * options.from_km > options.to_m))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drawing_options.h"
 #include "planet_state.h"
 #include "run_options.h"
 
@@ -13,7 +14,7 @@
 namespace duskline::planet_app {
 
 /// What `duskline-planet` was asked for.
-struct PlanetOptions {
+struct PlanetOptions : window::DrawingOptions {
     std::vector<std::string> files; ///< from coarse to fine; none: those Duskline carries
     bool moon = false;
     bool sphere = false;
@@ -25,21 +26,13 @@ struct PlanetOptions {
     std::optional<double> altitude_deg;
     std::string technique; ///< empty: the usual one; "all" in a descent
     PlanetState look;      ///< the mesh, the shadow map and so on
-    std::size_t width = 1024;
-    std::size_t height = 768;
     cli::RunOptions run;
-    std::string render; ///< a picture to write, without a window
     std::optional<std::size_t> flydown_frames;
     double from_km = 20000.0;
     double to_m = 15.0;
-    bool variants = false;        ///< the shadow map with each of its options, too
-    std::size_t errors = 0;       ///< frames of a descent whose shadows are compared with the truth
-    std::size_t errors_step = 8;  ///< of their pixels, in rows and columns
-    std::optional<double> soak_s; ///< how long to fly about
-    std::uint64_t seed = 1;       ///< of that
-    std::string report;           ///< a file for the figures of a descent
-    std::string frames;           ///< a folder for its pictures
-    bool overwrite = false;
+    bool variants = false;       ///< the shadow map with each of its options, too
+    std::size_t errors = 0;      ///< frames of a descent whose shadows are compared with the truth
+    std::size_t errors_step = 8; ///< of their pixels, in rows and columns
 };
 
 /// `options` must outlive `app`'s parsing.

@@ -9,24 +9,16 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 namespace duskline::planet_app {
 namespace {
 
 constexpr std::size_t kSamplesPerSide = 2;
 
-void require_new(const PlanetOptions& options)
-{
-    if (!options.overwrite && std::filesystem::exists(options.render))
-        throw OutputError(fmt::format("'{}' is there already: --overwrite replaces it", options.render));
-}
-
 } // namespace
 
 void render_picture(const PlanetOptions& options, cli::Report& report)
 {
-    require_new(options);
+    window::require_new_picture(options);
     const gl::HeadlessContext context;
     const ViewedPlanet viewed = read_viewed_planet(options, report);
     const PlanetState state = first_state(options, *viewed.terrain);

@@ -2,12 +2,11 @@
 
 #include "app_window.h"
 #include "free_name.h"
-#include "interruption.h"
 #include "panel.h"
 #include "picture_target.h"
 #include "planet_files.h"
 #include "planet_scene.h"
-#include "stopwatch.h"
+#include "sitting.h"
 
 #include <duskline/gl/framebuffer.h>
 #include <duskline/raster_io/write_picture.h>
@@ -18,66 +17,30 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 
 namespace duskline::planet_app {
 namespace {
 
-using window::UserInterface;
-
-constexpr double kIdleSeconds = 0.25;
-constexpr double kSmoothing = 0.1; // of the figures
 constexpr double kLeastClearance_m = 1.0;
 constexpr double kMostClearance = 20.0; // in radii
 
-// One sitting before a window.
-class Sitting {
+// One sitting before a planet.
+class PlanetSitting : public window::Sitting {
 public:
-    Sitting(const PlanetOptions& options, const window::AppWindow& window, const ViewedPlanet& viewed,
-            const gl::ShaderSources& sources)
-        : window_(window), viewed_(viewed), state_(first_state(options, *viewed.terrain)),
+    PlanetSitting(const PlanetOptions& options, const window::AppWindow& window, const ViewedPlanet& viewed,
+                  const gl::ShaderSources& sources)
+        : Sitting(window), viewed_(viewed), state_(first_state(options, *viewed.terrain)),
           scene_(viewed, sources, state_.square_pixels, {.threads = options.run.threads, .progress = {}})
     {}
 
-    void run()
-    {
-        while (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE) {
-            cli::stop_if_interrupted();
-            if (is_idle())
-                glfwWaitEventsTimeout(kIdleSeconds);
-            else
-                glfwPollEvents();
-            frame();
-        }
-    }
-
 private:
-    // Nothing moves by itself, all tiles are there, and hands have been still for some frames.
-    bool is_idle()
-    {
-        const ImGuiIO& io = ImGui::GetIO();
-        const bool held =
-            ImGui::IsAnyMouseDown() || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
-        still_frames_ = activity_.clock_runs || held || !settled_ ? 0 : still_frames_ + 1;
-        return still_frames_ > 3;
-    }
+    // While tiles still come, too.
+    bool moves() const override { return activity_.clock_runs || !settled_; }
 
-    void frame()
+    void draw_frame() override
     {
-        double seconds = 0.0;
-        {
-            const cli::Stopwatch watch(seconds);
-            draw_frame();
-        }
-        smooth(figures_.frame_ms, 1000.0 * seconds);
-    }
-
-    void draw_frame()
-    {
-        UserInterface::begin();
         const auto [width, height] = window_.size();
         advance(static_cast<double>(ImGui::GetIO().DeltaTime));
         take_keys();
@@ -92,17 +55,14 @@ private:
             save_screenshot();
         gl::bind_window(width, height);
         target_->show_in_window();
-        draw_panel(state_, activity_, viewed_, figures_);
-        UserInterface::end();
-        glfwSwapBuffers(window_.handle());
+        figures_.frame_ms = frame_ms_;
+        draw_panel(state_, activity_, viewed_, figures_, message_);
     }
 
     void advance(double seconds)
     {
-        if (activity_.clock_runs && state_.sun.time) {
-            const std::chrono::duration<double> passed(seconds * state_.sun.clock_s_per_s);
-            state_.sun.time->utc += std::chrono::duration_cast<std::chrono::microseconds>(passed);
-        }
+        if (activity_.clock_runs)
+            window::advance_clock(state_.sun.time, seconds * state_.sun.clock_s_per_s);
         bring_up_to_date(state_.sun);
     }
 
@@ -113,7 +73,7 @@ private:
             return;
         const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
         if (pressed(GLFW_KEY_ESCAPE))
-            glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+            leave();
         if (pressed(GLFW_KEY_TAB))
             next_technique();
         if (pressed(GLFW_KEY_M))
@@ -129,7 +89,7 @@ private:
         if (pressed(GLFW_KEY_HOME))
             see_all();
         activity_.wants_screenshot = activity_.wants_screenshot || pressed(GLFW_KEY_F12);
-        fly(io);
+        fly();
     }
 
     double clearance() const
@@ -138,19 +98,13 @@ private:
     }
 
     // Faster the higher up.
-    void fly(const ImGuiIO& io)
+    void fly()
     {
-        const auto along = [](int forwards, int backwards) {
-            return (ImGui::IsKeyDown(forwards) ? 1.0 : 0.0) - (ImGui::IsKeyDown(backwards) ? 1.0 : 0.0);
-        };
-        const double right = along(GLFW_KEY_D, GLFW_KEY_A);
-        const double ahead = along(GLFW_KEY_W, GLFW_KEY_S);
-        const double up = along(GLFW_KEY_E, GLFW_KEY_Q);
-        if (right == 0.0 && ahead == 0.0 && up == 0.0)
+        const window::FlightByKeys flight = window::flight_by_keys();
+        if (flight.share == 0.0)
             return;
-        const double step_m =
-            std::max(5.0, clearance()) * static_cast<double>(io.DeltaTime) * (io.KeyShift ? 3.0 : 0.8);
-        move(right * step_m, ahead * step_m, up * step_m);
+        const double step_m = flight.share * std::max(5.0, clearance());
+        move(flight.right * step_m, flight.ahead * step_m, flight.up * step_m);
     }
 
     void move(double right_m, double ahead_m, double up_m)
@@ -245,30 +199,17 @@ private:
         const auto& all = planet_techniques();
         const auto found = std::ranges::find(all, state_.technique, &TechniqueName::technique);
         state_.technique = all[static_cast<std::size_t>(found - all.begin() + 1) % all.size()].technique;
-        activity_.message = fmt::format("Shadows: {}", name_of(state_.technique));
+        message_ = fmt::format("Shadows: {}", name_of(state_.technique));
     }
-
-    static void smooth(double& figure, double value) { figure += kSmoothing * (value - figure); }
 
     void note(const FrameCost& cost)
     {
-        smooth(figures_.load_ms, cost.load_ms);
-        smooth(figures_.cast_ms, cost.cast_ms);
-        smooth(figures_.draw_ms, cost.draw_ms);
+        window::smooth(figures_.load_ms, cost.load_ms);
+        window::smooth(figures_.cast_ms, cost.cast_ms);
+        window::smooth(figures_.draw_ms, cost.draw_ms);
         figures_.drawn = cost.drawn;
         figures_.tiles_in_memory = scene_.quadtree().tiles().size();
         settled_ = cost.settled;
-    }
-
-    // What cannot be done is said in the panel; the window stays.
-    template <typename Work>
-    void attempt(const Work& work)
-    {
-        try {
-            activity_.message = work();
-        } catch (const std::exception& error) {
-            activity_.message = error.what();
-        }
     }
 
     void save_screenshot()
@@ -288,22 +229,14 @@ private:
         });
     }
 
-    const window::AppWindow& window_;
     const ViewedPlanet& viewed_;
     PlanetState state_;
     PlanetScene scene_;
     Activity activity_;
     FrameFigures figures_;
     std::unique_ptr<window::PictureTarget> target_; ///< of the window's size, with depth that can be reversed
-    int still_frames_ = 0;
     bool settled_ = false;
 };
-
-gl::ShaderSources shader_sources()
-{
-    const char* folder = std::getenv("DUSKLINE_SHADER_DIR"); // NOLINT(concurrency-mt-unsafe)
-    return folder != nullptr ? gl::ShaderSources(folder) : gl::ShaderSources();
-}
 
 } // namespace
 
@@ -312,9 +245,9 @@ void show_window(const PlanetOptions& options, cli::Report& report)
     const window::AppWindow window(options.width, options.height, "Duskline: planet",
                                    "--render and --flydown");
     const ViewedPlanet viewed = read_viewed_planet(options, report);
-    const gl::ShaderSources sources = shader_sources();
-    const UserInterface user_interface(window);
-    Sitting sitting(options, window, viewed, sources);
+    const gl::ShaderSources sources = window::shader_sources_of_environment();
+    const window::UserInterface user_interface(window);
+    PlanetSitting sitting(options, window, viewed, sources);
     sitting.run();
 }
 

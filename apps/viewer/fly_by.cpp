@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -245,28 +244,11 @@ std::string as_line(const nlohmann::ordered_json& flight)
                            : "");
 }
 
-void require_places(const ViewerOptions& options)
-{
-    if (!options.report.empty() && !options.overwrite && std::filesystem::exists(options.report))
-        throw OutputError(fmt::format("'{}' is there already: --overwrite replaces it", options.report));
-    if (!options.frames.empty() && !std::filesystem::is_directory(options.frames))
-        throw OutputError(fmt::format("--frames: there is no folder '{}'", options.frames));
-}
-
-void write_report(const std::string& path, const nlohmann::ordered_json& json)
-{
-    std::ofstream file(path);
-    file << json.dump(2) << '\n';
-    file.close();
-    if (!file)
-        throw OutputError(fmt::format("cannot write '{}'", path));
-}
-
 } // namespace
 
 void fly_by(const ViewerOptions& options, cli::Report& report)
 {
-    require_places(options);
+    window::require_new_report(options);
     const gl::HeadlessContext context;
     const gl::ContextInfo info = gl::current_context();
     ViewedTerrain viewed = read_viewed_terrain(options, report);
@@ -299,8 +281,7 @@ void fly_by(const ViewerOptions& options, cli::Report& report)
         report.json()["flights"].push_back(json);
         report.line(as_line(json));
     }
-    if (!options.report.empty())
-        write_report(options.report, report.json());
+    window::write_report(options, report.json());
 }
 
 } // namespace duskline::viewer

@@ -1,22 +1,15 @@
-#include "exit_code.h"
+#include "drawing_program.h"
 #include "fly_by.h"
-#include "help_page.h"
-#include "interruption.h"
-#include "parse_arguments.h"
 #include "render_picture.h"
 #include "report.h"
 #include "soak.h"
 #include "viewer_options.h"
 #include "window.h"
 
-#include <string>
-#include <vector>
-
 namespace duskline::viewer {
 namespace {
 
 constexpr auto kProgram = "duskline-viewer";
-constexpr auto kDescription = "a terrain and its shadows, in real time";
 
 void look(const ViewerOptions& options)
 {
@@ -33,28 +26,15 @@ void look(const ViewerOptions& options)
     report.finish();
 }
 
-void run(const std::vector<std::string>& arguments)
+int run(int argc, char** argv)
 {
-    CLI::App app(kDescription, kProgram);
     ViewerOptions options;
-    app.formatter(std::make_shared<cli::HelpText>());
-    app.allow_extras();
-    app.set_help_flag("-h,--help", "show this help")->group("General");
-    app.add_flag_callback("--man-page", [] { throw CLI::CallForAllHelp(); })->group("");
-    app.set_version_flag("--version", "duskline-viewer " DUSKLINE_VERSION "\n", "show the version")
-        ->group("General");
-    add_viewer_options(app, options);
-    try {
-        cli::parse_arguments(app, arguments);
-    } catch (const CLI::CallForHelp&) {
-        return cli::write_to_stdout(app.help());
-    } catch (const CLI::CallForAllHelp&) {
-        return cli::write_to_stdout(cli::man_page(app));
-    } catch (const CLI::CallForVersion& version) {
-        return cli::write_to_stdout(version.what());
-    }
-    cli::reject_unknown(app);
-    look(options);
+    return window::run_drawing_program(
+        {.name = kProgram,
+         .description = "a terrain and its shadows, in real time",
+         .add_options = [&](CLI::App& app) { add_viewer_options(app, options); },
+         .run = [&] { look(options); }},
+        argc, argv);
 }
 
 } // namespace
@@ -62,12 +42,5 @@ void run(const std::vector<std::string>& arguments)
 
 int main(int argc, char** argv)
 {
-    using namespace duskline;
-    cli::watch_for_interruption();
-    try {
-        viewer::run(std::vector<std::string>(argv + 1, argv + argc));
-        return static_cast<int>(cli::ExitCode::done);
-    } catch (...) {
-        return cli::report_failure(viewer::kProgram);
-    }
+    return duskline::viewer::run(argc, argv);
 }

@@ -6,43 +6,12 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace duskline::viewer {
 namespace {
 
-constexpr float kWidth = 300.0f;
-
 using window::slider;
 using window::text;
-
-void draw_clock(ViewerLight& light, Activity& activity, double& speed, const SunClock& clock)
-{
-    using namespace std::chrono;
-    if (!light.time) {
-        if (ImGui::Button("By date and time"))
-            light.time = DateTime{floor<microseconds>(system_clock::now())};
-        return;
-    }
-    text(to_iso8601(*light.time));
-    const auto local = light.time->utc + light.time->utc_offset;
-    const auto midnight = floor<days>(local);
-    int minute = static_cast<int>(duration_cast<minutes>(local - midnight).count());
-    if (ImGui::SliderInt("Time", &minute, 0, 24 * 60 - 1,
-                         fmt::format("{:02}:{:02}", minute / 60, minute % 60).c_str()))
-        light.time->utc = midnight + minutes(minute) - light.time->utc_offset;
-    const auto first_day = sys_days(year_month_day(midnight).year() / January / 1);
-    int day = static_cast<int>((midnight - first_day).count());
-    if (ImGui::SliderInt("Day of year", &day, 0, 364))
-        light.time->utc += days(day - static_cast<int>((midnight - first_day).count()));
-    ImGui::Checkbox("Running", &activity.clock_runs);
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(110.0f);
-    slider("s per s", speed, -7200.0, 7200.0, "%.0f");
-    if (ImGui::Button("By angles"))
-        light.time = std::nullopt;
-    clock.bring_up_to_date(light);
-}
 
 void draw_light(ViewerState& state, Activity& activity, const SunClock& clock)
 {
@@ -50,8 +19,10 @@ void draw_light(ViewerState& state, Activity& activity, const SunClock& clock)
     turned = slider("Altitude", state.light.altitude_deg, -5.0, 90.0, "%.1f") || turned;
     if (turned)
         state.light.time = std::nullopt;
-    if (clock.knows_times())
-        draw_clock(state.light, activity, state.clock_s_per_s, clock);
+    if (!clock.knows_times())
+        return;
+    window::clock_controls(state.light.time, activity.clock_runs, state.clock_s_per_s);
+    clock.bring_up_to_date(state.light);
 }
 
 void draw_shadows(ViewerState& state, Activity& activity, double done)
@@ -165,41 +136,38 @@ void draw_figures(const FrameFigures& figures)
 
 void draw_help(bool& open)
 {
-    if (ImGui::Begin("Keys", &open, ImGuiWindowFlags_AlwaysAutoResize))
-        text("Left drag          turn around what the pointer is on\n"
-             "Shift + left drag  move the sun\n"
-             "Ctrl + left drag   raise, lower or smooth the ground\n"
-             "Right drag         look elsewhere\n"
-             "Middle drag        move sideways\n"
-             "Wheel              nearer, farther\n"
-             "W A S D, Q E       fly; with Shift faster\n"
-             "Home               the whole terrain\n"
-             "Tab                next technique\n"
-             "X                  mark what is wrong\n"
-             "M                  let the ground move, the next way\n"
-             "O                  trees, towers, an aircraft, clouds\n"
-             "Space              let the clock run\n"
-             "R                  record a flight, stop\n"
-             "F1                 these keys\n"
-             "F2                 save the state\n"
-             "F5                 read changed shaders\n"
-             "F10                hide the panel\n"
-             "F12                screenshot\n"
-             "Escape             leave");
-    ImGui::End();
+    window::show_keys(open, "Left drag          turn around what the pointer is on\n"
+                            "Shift + left drag  move the sun\n"
+                            "Ctrl + left drag   raise, lower or smooth the ground\n"
+                            "Right drag         look elsewhere\n"
+                            "Middle drag        move sideways\n"
+                            "Wheel              nearer, farther\n"
+                            "W A S D, Q E       fly; with Shift faster\n"
+                            "Home               the whole terrain\n"
+                            "Tab                next technique\n"
+                            "X                  mark what is wrong\n"
+                            "M                  let the ground move, the next way\n"
+                            "O                  trees, towers, an aircraft, clouds\n"
+                            "Space              let the clock run\n"
+                            "R                  record a flight, stop\n"
+                            "F1                 these keys\n"
+                            "F2                 save the state\n"
+                            "F5                 read changed shaders\n"
+                            "F10                hide the panel\n"
+                            "F12                screenshot\n"
+                            "Escape             leave");
 }
 
 } // namespace
 
-void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, const FrameFigures& figures)
+void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, const FrameFigures& figures,
+                const std::string& message)
 {
     if (activity.help)
         draw_help(activity.help);
     if (!activity.panel)
         return;
-    ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
-    ImGui::Begin("Duskline", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
-    ImGui::PushItemWidth(0.6f * kWidth);
+    window::begin_panel();
     draw_figures(figures);
     if (ImGui::CollapsingHeader("Light", ImGuiTreeNodeFlags_DefaultOpen))
         draw_light(state, activity, clock);
@@ -221,12 +189,7 @@ void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, c
     ImGui::SameLine();
     if (ImGui::Button("Keys"))
         activity.help = !activity.help;
-    ImGui::PushTextWrapPos(kWidth);
-    if (!activity.message.empty())
-        text(activity.message);
-    ImGui::PopTextWrapPos();
-    ImGui::PopItemWidth();
-    ImGui::End();
+    window::end_panel(message);
 }
 
 } // namespace duskline::viewer

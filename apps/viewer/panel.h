@@ -32,7 +32,6 @@ struct Activity {
     CameraPath flight;     ///< recorded, or read
     Brush brush;           ///< amount in metres a second
     double replayed = 0.0; ///< share of it
-    std::string message;   ///< what was last done
     std::optional<MaskDifference> counted;
     std::optional<double> black_share; ///< counted with it, of a silhouette map
 
@@ -44,7 +43,8 @@ struct Activity {
     bool wants_overview = false;
 };
 
-/// Draws the panel, and changes state and activity as hands on it do.
-void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, const FrameFigures& figures);
+/// Draws the panel, with a message of what was last done, and changes state and activity as hands on it do.
+void draw_panel(ViewerState& state, Activity& activity, const SunClock& clock, const FrameFigures& figures,
+                const std::string& message);
 
 } // namespace duskline::viewer

@@ -9,24 +9,16 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 namespace duskline::viewer {
 namespace {
 
 constexpr std::size_t kSamplesPerSide = 2;
 
-void require_new(const ViewerOptions& options)
-{
-    if (!options.overwrite && std::filesystem::exists(options.render))
-        throw OutputError(fmt::format("'{}' is there already: --overwrite replaces it", options.render));
-}
-
 } // namespace
 
 void render_picture(const ViewerOptions& options, cli::Report& report)
 {
-    require_new(options);
+    window::require_new_picture(options);
     const gl::HeadlessContext context;
     ViewedTerrain viewed = read_viewed_terrain(options, report);
     const SunClock clock(cli::light_site(viewed.file.ground()), options.light.sun,

@@ -17,21 +17,11 @@ namespace {
 using cli::UsageError;
 
 constexpr auto kLook = "View";
-constexpr auto kHeadless = "Without a window";
+constexpr auto kFlight = "--flyby";
+
+using window::kHeadlessGroup;
 
 constexpr std::size_t kMostLightMaps = 96;
-constexpr std::size_t kMostPixels = 16384;
-
-void read_size(const std::string& typed, ViewerOptions& options)
-{
-    const std::size_t cross = typed.find('x');
-    if (cross == std::string::npos)
-        throw UsageError(fmt::format("--size must be width x height such as 1024x768, got '{}'", typed));
-    options.width = cli::parse_count("--size", typed.substr(0, cross), 16);
-    options.height = cli::parse_count("--size", typed.substr(cross + 1), 16);
-    if (options.width > kMostPixels || options.height > kMostPixels)
-        throw UsageError(fmt::format("--size must be at most {0}x{0}, got '{1}'", kMostPixels, typed));
-}
 
 std::string technique_list()
 {
@@ -52,12 +42,7 @@ std::string motion_list()
 
 void add_look(CLI::App& app, ViewerOptions& options)
 {
-    app.add_option_function<std::string>(
-           "--size", [&options](const std::string& typed) { read_size(typed, options); },
-           "of the window or the picture, pixels")
-        ->type_name("WxH")
-        ->default_str("1024x768")
-        ->group(kLook);
+    window::add_size_option(app, options, kLook);
     app.add_option("--technique", options.technique,
                    "how shadows are found: " + technique_list() + "; with --flyby also all; else exact")
         ->type_name("NAME")
@@ -117,9 +102,7 @@ void add_look(CLI::App& app, ViewerOptions& options)
 
 void add_headless(CLI::App& app, ViewerOptions& options)
 {
-    app.add_option("--render", options.render, "write one picture, needs no display; PNG, JPEG, ...")
-        ->type_name("FILE")
-        ->group(kHeadless);
+    window::add_render_option(app, options);
     app.add_option_function<std::string>(
            "--flyby",
            [&options](const std::string& typed) {
@@ -129,7 +112,7 @@ void add_headless(CLI::App& app, ViewerOptions& options)
            "took; needs no "
            "display")
         ->type_name("FRAMES")
-        ->group(kHeadless);
+        ->group(kHeadlessGroup);
     app.add_option_function<std::string>(
            "--at-most",
            [&options](const std::string& typed) {
@@ -141,30 +124,12 @@ void add_headless(CLI::App& app, ViewerOptions& options)
            "or every "
            "third, ...: seconds of finding shadows and drawing; at least two frames are flown")
         ->type_name("SECONDS")
-        ->group(kHeadless);
-    cli::add_number(app,
-                    {.names = "--soak",
-                     .unit = "SECONDS",
-                     .text =
-                         "use everything at random for so long, and fail when OpenGL complains or anything "
-                         "is left over",
-                     .range = {0.0, 1e6, true}},
-                    options.soak_s)
-        ->group(kHeadless);
-    app.add_option_function<std::string>(
-           "--seed",
-           [&options](const std::string& typed) { options.seed = cli::parse_count("--seed", typed, 0); },
-           "of --soak: the same random use for the same number")
-        ->type_name("N")
-        ->default_str("1")
-        ->group(kHeadless);
-    app.add_option("--report", options.report, "write the figures of --flyby to a JSON file")
-        ->type_name("FILE")
-        ->group(kHeadless);
-    app.add_option("--frames", options.frames, "write the pictures of --flyby into a folder that is there")
-        ->type_name("FOLDER")
-        ->group(kHeadless);
-    app.add_flag("--overwrite", options.overwrite, "replace files that are there")->group(kHeadless);
+        ->group(kHeadlessGroup);
+    window::add_soak_options(
+        app, options,
+        "use everything at random for so long, and fail when OpenGL complains or anything is left over; "
+        "needs no display");
+    window::add_output_options(app, options, kFlight);
 }
 
 } // namespace
@@ -191,12 +156,7 @@ void add_viewer_options(CLI::App& app, ViewerOptions& options)
 
 void require_consistent(const ViewerOptions& options)
 {
-    if (!options.render.empty() && options.flyby_frames)
-        throw UsageError("give --render or --flyby, not both");
-    if (options.soak_s && (!options.render.empty() || options.flyby_frames))
-        throw UsageError("--soak goes alone: leave --render and --flyby out");
-    if (!options.flyby_frames && (!options.report.empty() || !options.frames.empty()))
-        throw UsageError("--report and --frames say where --flyby leaves what it finds: give --flyby FRAMES");
+    window::require_one_task(options, options.flyby_frames.has_value(), kFlight);
     if (!options.flyby_frames && options.at_most_s)
         throw UsageError("--at-most says how long --flyby may take: give --flyby FRAMES");
     if (!options.flyby_frames && options.technique == "all")

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drawing_options.h"
 #include "input_options.h"
 #include "light_options.h"
 #include "picture_options.h"
@@ -14,13 +15,11 @@
 namespace duskline::viewer {
 
 /// What `duskline-viewer` was asked for.
-struct ViewerOptions {
+struct ViewerOptions : window::DrawingOptions {
     cli::InputOptions input;
     cli::PictureOptions picture;
     cli::LightOptions light;
     cli::RunOptions run;
-    std::size_t width = 1024; ///< of the window or picture, pixels
-    std::size_t height = 768;
     std::string technique;  ///< empty: of the state; "all" in a fly-by
     std::string shadow_map; ///< settings; empty: of the state
     bool soft = false;
@@ -32,14 +31,8 @@ struct ViewerOptions {
     std::optional<double> animation_speed;
     std::string state;  ///< a file to begin with
     std::string flight; ///< a file with the poses of a flight
-    std::string render; ///< a picture to write, without a window
     std::optional<std::size_t> flyby_frames;
-    std::optional<double> soak_s;    ///< how long to use everything at random
-    std::size_t seed = 1;            ///< of that
     std::optional<double> at_most_s; ///< what flying one technique's frames may take
-    std::string report;              ///< a file for the figures of a fly-by
-    std::string frames;              ///< a folder for its pictures
-    bool overwrite = false;
 };
 
 /// `options` must outlive `app`'s parsing.

@@ -2,11 +2,10 @@
 
 #include "app_window.h"
 #include "free_name.h"
-#include "interruption.h"
 #include "panel.h"
 #include "raster_site.h"
 #include "scene.h"
-#include "stopwatch.h"
+#include "sitting.h"
 
 #include <duskline/gl/framebuffer.h>
 #include <duskline/gl/read_back.h>
@@ -19,24 +18,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace duskline::viewer {
 namespace {
 
 using window::free_name;
-using window::UserInterface;
 
-constexpr double kIdleSeconds = 0.25;
 constexpr double kPosesPerSecond = 10.0; // of a recorded flight
-constexpr double kSmoothing = 0.1;       // of the figures
 
-// One sitting before a window.
-class Sitting {
+// One sitting before the viewer.
+class ViewerSitting : public window::Sitting {
 public:
-    Sitting(const ViewerOptions& options, window::AppWindow& window, ViewedTerrain& viewed,
-            const SunClock& clock, const gl::ShaderSources& sources)
-        : window_(window), clock_(clock), scene_(viewed, clock, sources),
+    ViewerSitting(const ViewerOptions& options, const window::AppWindow& window, ViewedTerrain& viewed,
+                  const SunClock& clock, const gl::ShaderSources& sources)
+        : Sitting(window), clock_(clock), scene_(viewed, clock, sources),
           state_(first_state(options, viewed, clock))
     {
         if (!options.flight.empty())
@@ -46,29 +41,11 @@ public:
         activity_.brush.amount_m = 0.5 * activity_.brush.radius_m;
     }
 
-    void run()
-    {
-        while (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE) {
-            cli::stop_if_interrupted();
-            if (is_idle())
-                glfwWaitEventsTimeout(kIdleSeconds);
-            else
-                glfwPollEvents();
-            frame();
-        }
-    }
-
 private:
-    // Nothing moves by itself, and hands have been still for some frames.
-    bool is_idle()
+    bool moves() const override
     {
-        const bool moves = activity_.clock_runs || activity_.replays || activity_.records || is_animated()
-                           || scene_.done() < 1.0;
-        const ImGuiIO& io = ImGui::GetIO();
-        const bool held =
-            ImGui::IsAnyMouseDown() || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
-        still_frames_ = moves || held ? 0 : still_frames_ + 1;
-        return still_frames_ > 3;
+        return activity_.clock_runs || activity_.replays || activity_.records || is_animated()
+               || scene_.done() < 1.0;
     }
 
     bool is_animated() const
@@ -76,19 +53,8 @@ private:
         return (state_.animation != kNoMotion || state_.objects) && state_.animation_speed != 0.0;
     }
 
-    void frame()
+    void draw_frame() override
     {
-        double seconds = 0.0;
-        {
-            const cli::Stopwatch watch(seconds);
-            draw_frame();
-        }
-        smooth(figures_.frame_ms, 1000.0 * seconds);
-    }
-
-    void draw_frame()
-    {
-        UserInterface::begin();
         const auto [width, height] = window_.size();
         aspect_ = static_cast<double>(width) / static_cast<double>(height);
         advance(static_cast<double>(ImGui::GetIO().DeltaTime));
@@ -103,16 +69,14 @@ private:
         if (activity_.wants_screenshot)
             save_screenshot(width, height);
         do_wishes();
-        draw_panel(state_, activity_, clock_, figures_);
-        UserInterface::end();
-        glfwSwapBuffers(window_.handle());
+        figures_.frame_ms = frame_ms_;
+        draw_panel(state_, activity_, clock_, figures_, message_);
     }
 
     void advance(double seconds)
     {
-        if (activity_.clock_runs && state_.light.time) {
-            const std::chrono::duration<double> passed(seconds * state_.clock_s_per_s);
-            state_.light.time->utc += std::chrono::duration_cast<std::chrono::microseconds>(passed);
+        if (activity_.clock_runs) {
+            window::advance_clock(state_.light.time, seconds * state_.clock_s_per_s);
             clock_.bring_up_to_date(state_.light);
         }
         if (is_animated())
@@ -139,7 +103,7 @@ private:
             return;
         const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
         if (pressed(GLFW_KEY_ESCAPE))
-            glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+            leave();
         if (pressed(GLFW_KEY_TAB))
             next_technique();
         if (pressed(GLFW_KEY_X))
@@ -161,7 +125,7 @@ private:
         activity_.wants_state_saved = activity_.wants_state_saved || pressed(GLFW_KEY_F2);
         activity_.wants_screenshot = activity_.wants_screenshot || pressed(GLFW_KEY_F12);
         activity_.wants_overview = activity_.wants_overview || pressed(GLFW_KEY_HOME);
-        fly(io);
+        fly();
     }
 
     void toggle_recording()
@@ -172,21 +136,16 @@ private:
     }
 
     // Faster the higher up.
-    void fly(const ImGuiIO& io)
+    void fly()
     {
-        const auto along = [](int forwards, int backwards) {
-            return (ImGui::IsKeyDown(forwards) ? 1.0 : 0.0) - (ImGui::IsKeyDown(backwards) ? 1.0 : 0.0);
-        };
-        const double right = along(GLFW_KEY_D, GLFW_KEY_A);
-        const double ahead = along(GLFW_KEY_W, GLFW_KEY_S);
-        const double up = along(GLFW_KEY_E, GLFW_KEY_Q);
-        if (right == 0.0 && ahead == 0.0 && up == 0.0)
+        const window::FlightByKeys flight = window::flight_by_keys();
+        if (flight.share == 0.0)
             return;
-        const double cell_m = scene_.field().cell_size_m.x;
-        const double height_m =
-            std::max(10.0 * cell_m, clearance_m(state_.camera.position_m, scene_.field()));
-        const double step_m = height_m * static_cast<double>(io.DeltaTime) * (io.KeyShift ? 3.0 : 0.8);
-        state_.camera = flown(state_.camera, right * step_m, ahead * step_m, up * step_m);
+        const double height_m = std::max(10.0 * scene_.field().cell_size_m.x,
+                                         clearance_m(state_.camera.position_m, scene_.field()));
+        const double step_m = flight.share * height_m;
+        state_.camera =
+            flown(state_.camera, flight.right * step_m, flight.ahead * step_m, flight.up * step_m);
         activity_.replays = false;
     }
 
@@ -258,7 +217,7 @@ private:
         const auto found = std::ranges::find(kinds, state_.technique, &gl::ShadowTechniqueKind::name);
         const auto next = static_cast<std::size_t>(found - kinds.begin() + 1) % kinds.size();
         state_.technique = kinds[next].name;
-        activity_.message = "Shadows: " + state_.technique;
+        message_ = "Shadows: " + state_.technique;
     }
 
     // None after the last.
@@ -269,10 +228,8 @@ private:
         const auto next = found == kinds.end() ? 0 : static_cast<std::size_t>(found - kinds.begin()) + 1;
         state_.animation = next < kinds.size() ? kinds[next].name : kNoMotion;
         state_.animation_s = 0.0;
-        activity_.message = "Ground in motion: " + state_.animation;
+        message_ = "Ground in motion: " + state_.animation;
     }
-
-    static void smooth(double& figure, double value) { figure += kSmoothing * (value - figure); }
 
     void note(const FrameCost& cast, const FrameCost& drawn)
     {
@@ -283,17 +240,6 @@ private:
         figures_.draw_gpu_ms = drawn.draw_gpu_ms.value_or(figures_.draw_gpu_ms);
         figures_.mesh = drawn.mesh;
         figures_.done = scene_.done();
-    }
-
-    // What cannot be done is said in the panel; the window stays.
-    template <typename Work>
-    void attempt(const Work& work)
-    {
-        try {
-            activity_.message = work();
-        } catch (const std::exception& error) {
-            activity_.message = error.what();
-        }
     }
 
     void save_screenshot(std::size_t width, std::size_t height)
@@ -344,7 +290,6 @@ private:
         });
     }
 
-    window::AppWindow& window_;
     const SunClock& clock_;
     Scene scene_;
     ViewerState state_;
@@ -353,27 +298,20 @@ private:
     Vector3 pivot_m_;
     double aspect_ = 1.0;
     double since_pose_s_ = 0.0;
-    int still_frames_ = 0;
 };
-
-gl::ShaderSources shader_sources()
-{
-    const char* folder = std::getenv("DUSKLINE_SHADER_DIR"); // NOLINT(concurrency-mt-unsafe)
-    return folder != nullptr ? gl::ShaderSources(folder) : gl::ShaderSources();
-}
 
 } // namespace
 
 void show_window(const ViewerOptions& options, cli::Report& report)
 {
-    window::AppWindow window(options.width, options.height, "Duskline: " + options.input.path,
-                             "--render and --flyby");
+    const window::AppWindow window(options.width, options.height, "Duskline: " + options.input.path,
+                                   "--render and --flyby");
     ViewedTerrain viewed = read_viewed_terrain(options, report);
     const SunClock clock(cli::light_site(viewed.file.ground()), options.light.sun,
                          options.light.sun_size_deg);
-    const gl::ShaderSources sources = shader_sources();
-    const UserInterface user_interface(window);
-    Sitting sitting(options, window, viewed, clock, sources);
+    const gl::ShaderSources sources = window::shader_sources_of_environment();
+    const window::UserInterface user_interface(window);
+    ViewerSitting sitting(options, window, viewed, clock, sources);
     sitting.run();
 }
 

@@ -1,7 +1,10 @@
 #include "panel_parts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 namespace duskline::window {
 namespace {
@@ -16,6 +19,30 @@ void choice(const char* label, Enum& value, const char* names)
 
 } // namespace
 
+void begin_panel()
+{
+    ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
+    ImGui::Begin("Duskline", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PushItemWidth(0.6f * kPanelWidth);
+}
+
+void end_panel(const std::string& message)
+{
+    ImGui::PushTextWrapPos(kPanelWidth);
+    if (!message.empty())
+        text(message);
+    ImGui::PopTextWrapPos();
+    ImGui::PopItemWidth();
+    ImGui::End();
+}
+
+void show_keys(bool& open, const std::string& keys)
+{
+    if (ImGui::Begin("Keys", &open, ImGuiWindowFlags_AlwaysAutoResize))
+        text(keys);
+    ImGui::End();
+}
+
 void text(const std::string& line)
 {
     ImGui::TextUnformatted(line.c_str());
@@ -25,6 +52,34 @@ bool slider(const char* label, double& value, double least, double most, const c
             ImGuiSliderFlags flags)
 {
     return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, format, flags);
+}
+
+void clock_controls(std::optional<DateTime>& time, bool& runs, double& seconds_per_second)
+{
+    using namespace std::chrono;
+    if (!time) {
+        if (ImGui::Button("By date and time"))
+            time = DateTime{floor<microseconds>(system_clock::now())};
+        return;
+    }
+    text(to_iso8601(*time));
+    const auto local = time->utc + time->utc_offset;
+    const auto midnight = floor<days>(local);
+    int minute = static_cast<int>(duration_cast<minutes>(local - midnight).count());
+    if (ImGui::SliderInt("Time", &minute, 0, 24 * 60 - 1,
+                         fmt::format("{:02}:{:02}", minute / 60, minute % 60).c_str()))
+        time->utc = midnight + minutes(minute) - time->utc_offset;
+    const auto first_day = sys_days(year_month_day(midnight).year() / January / 1);
+    const int today = static_cast<int>((midnight - first_day).count());
+    int day = today;
+    if (ImGui::SliderInt("Day of year", &day, 0, 364))
+        time->utc += days(day - today);
+    ImGui::Checkbox("Running", &runs);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(110.0f);
+    slider("s per s", seconds_per_second, -7200.0, 7200.0, "%.0f");
+    if (ImGui::Button("By angles"))
+        time = std::nullopt;
 }
 
 void shadow_map_controls(gl::ShadowMapOptions& options, gl::ShadowMapLook& look)

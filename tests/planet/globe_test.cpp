@@ -1,3 +1,5 @@
+#include "vectors_near.h"
+
 #include <duskline/geometry/cross_product.h>
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/planet/globe.h>
@@ -11,12 +13,6 @@ namespace duskline {
 namespace {
 
 using namespace angle_literals;
-
-void expect_near(const Vector3& a, const Vector3& b, double tolerance)
-{
-    EXPECT_LT(length(a - b), tolerance)
-        << a.x << ' ' << a.y << ' ' << a.z << " and " << b.x << ' ' << b.y << ' ' << b.z;
-}
 
 // The point of an ellipsoid with that normal, from its textbook parametrisation.
 Vector3 geodetic_point_m(const Globe& globe, const LonLat& place)

@@ -1,4 +1,5 @@
 #include "hilly_planet.h"
+#include "vectors_near.h"
 
 #include <duskline/geometry/cross_product.h>
 #include <duskline/planet/planet_camera.h>
@@ -11,12 +12,6 @@ namespace duskline {
 namespace {
 
 using namespace angle_literals;
-
-void expect_near(const Vector3& a, const Vector3& b, double tolerance)
-{
-    EXPECT_LT(length(a - b), tolerance)
-        << a.x << ' ' << a.y << ' ' << a.z << " and " << b.x << ' ' << b.y << ' ' << b.z;
-}
 
 TEST(PlanetCamera, LooksByTheCompassOfThePlaceBelow)
 {

@@ -1,4 +1,5 @@
 #include "planet/made_ground.h"
+#include "planet/tiles_of_level.h"
 #include "terrains.h"
 
 #include <duskline/planet/planet_shadows.h>
@@ -16,16 +17,6 @@ namespace {
 
 const Vector3 kPlace = normalized({0.7, 0.5, 0.2});
 const Vector3 kLowSun = {-0.35, 0.75, 0.2};
-
-std::vector<PlanetTile> tiles_of_level(std::uint32_t level)
-{
-    std::vector<PlanetTile> tiles;
-    for (std::uint32_t face = 0; face < kCubeFaces; ++face)
-        for (std::uint32_t row = 0; row < 1U << level; ++row)
-            for (std::uint32_t column = 0; column < 1U << level; ++column)
-                tiles.push_back({face, level, row, column});
-    return tiles;
-}
 
 // Mountains on the earth, made once.
 const MadeGround& mountains()

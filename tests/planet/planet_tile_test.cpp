@@ -1,3 +1,5 @@
+#include "tiles_of_level.h"
+
 #include <duskline/geometry/cross_product.h>
 #include <duskline/planet/planet_tile.h>
 #include <duskline/planet/tile_heights.h>
@@ -17,16 +19,6 @@ namespace {
 bool same(const Vector3& a, const Vector3& b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
-std::vector<PlanetTile> all_tiles(std::uint32_t level)
-{
-    std::vector<PlanetTile> tiles;
-    for (std::uint32_t face = 0; face < kCubeFaces; ++face)
-        for (std::uint32_t row = 0; row < 1U << level; ++row)
-            for (std::uint32_t column = 0; column < 1U << level; ++column)
-                tiles.push_back({face, level, row, column});
-    return tiles;
 }
 
 PlanetTile any_tile(std::uint32_t level, std::mt19937& random)
@@ -68,7 +60,7 @@ void expect_shared_edge(const PlanetTile& tile, TileEdge edge)
 TEST(PlanetTile, NeighboursShareTheSamplesOfTheirEdgeBitForBit)
 {
     for (std::uint32_t level = 0; level < 4; ++level)
-        for (const PlanetTile& tile : all_tiles(level))
+        for (const PlanetTile& tile : tiles_of_level(level))
             for (const TileEdge edge : kTileEdges)
                 expect_shared_edge(tile, edge);
     std::mt19937 random(7);
@@ -189,7 +181,7 @@ TEST(PlanetTile, BoxHoldsAllGroundOfItsTileAndLittleMore)
 TEST(PlanetTile, CornersLieFarthestFromItsMiddle)
 {
     EXPECT_NEAR(angular_radius({0, 0, 0, 0}).degrees(), 54.7356, 1e-4);
-    for (const PlanetTile& tile : all_tiles(2)) {
+    for (const PlanetTile& tile : tiles_of_level(2)) {
         const Vector3 centre = centre_direction(tile);
         double farthest = 0.0;
         for (int i = 0; i <= kTileSquares; ++i)
@@ -202,7 +194,7 @@ TEST(PlanetTile, CornersLieFarthestFromItsMiddle)
 TEST(PlanetTile, HashesDifferForAllTilesOfALevel)
 {
     std::unordered_set<std::size_t> hashes;
-    const auto tiles = all_tiles(5);
+    const auto tiles = tiles_of_level(5);
     for (const PlanetTile& tile : tiles)
         hashes.insert(std::hash<PlanetTile>()(tile));
     EXPECT_EQ(hashes.size(), tiles.size());

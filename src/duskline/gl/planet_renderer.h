@@ -84,7 +84,7 @@ public:
     DrawnPlanet draw_depth(const Vector3& eye_m, const Matrix4& to_clip,
                            std::span<const PlanetPatch> patches);
 
-    /// Layers that there is room for on the card, some 230 KB each.
+    /// Layers that there is room for on the card, some 160 KB each.
     std::size_t layers() const { return textures_.layers(); }
 
     /// To be called when a tile's heights have changed.

@@ -37,6 +37,7 @@ enum class ShadowMapOverlay {
     box,      ///< yellow what the box holds, paler beyond the radius
 };
 
+/// How a shadow map is made, and looked up. Lengths in metres.
 struct ShadowMapOptions {
     std::size_t size = 4096; ///< texels a side, 64 or more; 4 bytes each, 20 with `moments`
     ShadowMapFilter filter = ShadowMapFilter::kernels;
@@ -46,13 +47,14 @@ struct ShadowMapOptions {
     std::size_t samples = 8;    ///< of the disc, 4 to 16
     double spread = 1.0;        ///< texels from tap to tap; above 0, gaps show from about 2 on
     double slope_offset =
-        1.0; ///< polygon offset by slope; 1 is what a surface and its texels differ by at most
+        1.0; ///< polygon offset by slope, 0 or above; 1 is what a surface and its texels differ by at most
     CasterFaces faces = CasterFaces::all;
-    double reach = 12.0;      ///< radius of shadows over clearance: see ShadowBoxFollower
-    double wide_reach = 0.0;  ///< that of a second map around the first, of the same size; 0 for none
+    double reach = 12.0; ///< radius of shadows over clearance, above 0: see ShadowBoxFollower
+    double wide_reach =
+        0.0; ///< that of a second map around the first, of the same size, above `reach`; 0 for none
     double fade_from_m = 5e4; ///< clearances between which all shadows fade, until they are not drawn at all
-    double fade_to_m = 1e5;
-    double farthest_caster_m = 5e5;
+    double fade_to_m = 1e5;   ///< above `fade_from_m`
+    double farthest_caster_m = 5e5; ///< in front of the box; farther ones are left out
 
     bool operator==(const ShadowMapOptions&) const = default;
 };

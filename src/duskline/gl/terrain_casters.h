@@ -11,8 +11,8 @@
 namespace duskline::gl {
 
 /// Draws a terrain into shadow maps: its depth alone, in one level of detail all over, so that there are no cracks and
-/// nothing changes with the eye, and walls under its borders, as light comes in beside it. Cells without data take part as the mean of what is around them, unless there is
-/// nothing else in a patch.
+/// nothing changes with the eye, and walls under its borders, as light comes in beside it. Cells without data take part
+/// as the mean of what is around them, unless there is nothing else in a patch.
 class TerrainCasters {
 public:
     /// Both must outlive it. Throws ShaderError.

@@ -1,6 +1,7 @@
 #include <duskline/execution/for_rows.h>
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/planet/source_levels.h>
+#include <duskline/terrain/halved_grid.h>
 #include <duskline/view/level_of_detail.h>
 
 #include <algorithm>
@@ -25,28 +26,9 @@ std::array<double, 4> cubic_weights(double t)
             t * t * (0.5 * t - 0.5)};
 }
 
-std::size_t halved(std::size_t count)
+std::size_t half_of(std::size_t count)
 {
     return (count + 1) / 2;
-}
-
-// The mean of the data in each square of two by two; NaN where there are none.
-Grid<float> block_means(const Grid<float>& fine)
-{
-    Grid<float> coarse(halved(fine.rows()), halved(fine.columns()));
-    for (std::size_t row = 0; row < coarse.rows(); ++row)
-        for (std::size_t column = 0; column < coarse.columns(); ++column) {
-            float sum = 0.0f;
-            float count = 0.0f;
-            for (std::size_t y = 2 * row; y < std::min(2 * row + 2, fine.rows()); ++y)
-                for (std::size_t x = 2 * column; x < std::min(2 * column + 2, fine.columns()); ++x)
-                    if (!std::isnan(fine(y, x))) {
-                        sum += fine(y, x);
-                        count += 1.0f;
-                    }
-            coarse(row, column) = sum / count;
-        }
-    return coarse;
 }
 
 bool has_holes(const Grid<float>& grid)
@@ -178,9 +160,9 @@ void SourceLevels::add_coarser_levels()
 {
     while (heights_m_.back().rows() > 1 && heights_m_.back().columns() > 1
            && !(goes_round_ && heights_m_.back().columns() % 2 == 1)) {
-        heights_m_.push_back(block_means(heights_m_.back()));
+        heights_m_.push_back(halved(heights_m_.back().view()));
         if (!weights_.empty())
-            weights_.push_back(block_means(weights_.back()));
+            weights_.push_back(halved(weights_.back().view()));
     }
 }
 
@@ -189,7 +171,7 @@ namespace {
 // The ranges of blocks of two by two.
 Grid<HeightRange> joined(const Grid<HeightRange>& fine)
 {
-    Grid<HeightRange> coarse(halved(fine.rows()), halved(fine.columns()), HeightRange());
+    Grid<HeightRange> coarse(half_of(fine.rows()), half_of(fine.columns()), HeightRange());
     for (std::size_t row = 0; row < fine.rows(); ++row)
         for (std::size_t column = 0; column < fine.columns(); ++column)
             coarse(row / 2, column / 2).include(fine(row, column));

@@ -1,5 +1,6 @@
 #include <duskline/execution/for_rows.h>
 #include <duskline/geometry/invalid_input.h>
+#include <duskline/terrain/halved_grid.h>
 #include <duskline/view/level_of_detail.h>
 
 #include <algorithm>
@@ -274,25 +275,6 @@ Box LevelOfDetail::box_of(const MeshPatch& patch) const
 }
 
 namespace {
-
-// The mean of the data in each square of two by two.
-Grid<float> halved(GridView<const float> heights_m)
-{
-    Grid<float> half((heights_m.rows() + 1) / 2, (heights_m.columns() + 1) / 2);
-    for (std::size_t row = 0; row < half.rows(); ++row)
-        for (std::size_t column = 0; column < half.columns(); ++column) {
-            float sum = 0.0f;
-            float count = 0.0f;
-            for (std::size_t y = 2 * row; y < std::min(2 * row + 2, heights_m.rows()); ++y)
-                for (std::size_t x = 2 * column; x < std::min(2 * column + 2, heights_m.columns()); ++x)
-                    if (!std::isnan(heights_m(y, x))) {
-                        sum += heights_m(y, x);
-                        count += 1.0f;
-                    }
-            half(row, column) = sum / count; // NaN where there are none
-        }
-    return half;
-}
 
 void fill_from_coarser(Grid<float>& heights_m, const Grid<float>& coarser_m)
 {

@@ -11,7 +11,7 @@
 
 namespace duskline {
 
-/// Something that stands upright on a cell of the ground, wherever that is now.
+/// Something that stands upright on a cell of the ground, wherever that is now. Sizes above 0.
 struct StandingObject {
     std::uint32_t row = 0;
     std::uint32_t column = 0;
