@@ -6,13 +6,6 @@ namespace duskline {
 
 namespace {
 
-// The corner of the box that lies farthest in a direction.
-Vector3 farthest_corner(const Box& box, const Vector3& direction)
-{
-    return {direction.x > 0.0 ? box.high.x : box.low.x, direction.y > 0.0 ? box.high.y : box.low.y,
-            direction.z > 0.0 ? box.high.z : box.low.z};
-}
-
 double beyond(double value, double low, double high)
 {
     return std::max({0.0, low - value, value - high});
@@ -24,6 +17,12 @@ double distance_m(const Vector3& place_m, const Box& box)
 {
     return length({beyond(place_m.x, box.low.x, box.high.x), beyond(place_m.y, box.low.y, box.high.y),
                    beyond(place_m.z, box.low.z, box.high.z)});
+}
+
+Vector3 farthest_corner(const Box& box, const Vector3& direction)
+{
+    return {direction.x > 0.0 ? box.high.x : box.low.x, direction.y > 0.0 ? box.high.y : box.low.y,
+            direction.z > 0.0 ? box.high.z : box.low.z};
 }
 
 Frustum::Frustum(const Camera& camera, double aspect, double nearest_m) : eye_m_(camera.position_m)

@@ -16,6 +16,9 @@ struct Box {
 /// How far a place lies from the nearest point of a box; 0 inside. Metres.
 double distance_m(const Vector3& place_m, const Box& box);
 
+/// The corner of a box that lies farthest in a direction.
+Vector3 farthest_corner(const Box& box, const Vector3& direction);
+
 /// What a camera sees, however far away: the space between four planes through the eye and one close before it.
 class Frustum {
 public:
