@@ -2,7 +2,7 @@
 
 // A planet whose ground is a function of the direction, tile by tile, for tests.
 
-#include <duskline/planet/planet_ray.h>
+#include <duskline/planet/planet_level.h>
 
 #include <cstdint>
 #include <functional>

@@ -1,9 +1,8 @@
-#include "planet/made_ground.h"
+#include "planet/mountains_on_a_ball.h"
 
 #include <duskline/casting/ray.h>
+#include <duskline/planet/planet_ray.h>
 #include <duskline/products/mask_difference.h>
-#include <duskline/terrain/earth_curvature.h>
-#include <duskline/terrain/synthetic_terrain.h>
 
 #include <gtest/gtest.h>
 
@@ -175,63 +174,17 @@ TEST(PlanetRay, AgreesWithARayThatGoesOnOverTheEdgesAndCornersOfTheCube)
     }
 }
 
-// The middle of a face is flat enough to be a raster: its samples, and beyond them the plain.
-class MountainsOnABall {
-public:
-    static constexpr std::uint32_t kLevel = 9;
-    static constexpr std::size_t kSide = 255;
-
-    MountainsOnABall()
-        : mountains_(make_mountains({.grid = {kSide, kSide, cell_size()}, .seed = 5, .height_m = 3000.0})),
-          ground_(kBall, {0.0F, 3000.0F}, [this](const Vector3& d) { return height_m(d.y / d.x, d.z / d.x); })
-    {}
-
-    const Terrain& mountains() const { return mountains_; }
-    const MadeGround& ground() const { return ground_; }
-    Vector3 direction(std::size_t row, std::size_t column) const
-    {
-        return normalized({1.0, (static_cast<double>(column) - kMiddle) * step(),
-                           (kMiddle - static_cast<double>(row)) * step()});
-    }
-
-private:
-    static constexpr double kMiddle = (kSide - 1) / 2.0;
-    static double step() { return 2.0 / static_cast<double>(kTileSquares << kLevel); }
-    static CellSize cell_size() { return {kRadius_m * step(), kRadius_m * step()}; }
-
-    double height_m(double u, double v) const
-    {
-        const double row = std::round(kMiddle - v / step());
-        const double column = std::round(kMiddle + u / step());
-        if (!(row >= 0.0 && column >= 0.0 && row < kSide && column < kSide))
-            return 0.0;
-        return static_cast<double>(
-            mountains_.heights_m(static_cast<std::size_t>(row), static_cast<std::size_t>(column)));
-    }
-
-    Terrain mountains_;
-    MadeGround ground_;
-};
-
 TEST(PlanetRay, IsRayOnACurvedRasterButForCellsBesideShadowEdges)
 {
-    const MountainsOnABall scene;
+    const MountainsOnABall scene(kRadius_m);
+    const Terrain curved = scene.curved_raster();
     for (const double altitude : {2.0, 20.0}) {
         const DirectionalLight light{Angle::from_degrees(203.0), Angle::from_degrees(altitude)};
         const Vector3 local = direction_towards(light); // east, north, up
         const PlanetRays rays(scene.ground().at_level(MountainsOnABall::kLevel), {local.z, local.x, local.y});
-        Terrain curved = {scene.mountains().heights_m.copy(), scene.mountains().cell_size_m};
-        const double middle = (MountainsOnABall::kSide - 1) / 2.0;
-        CurvedEarth({1.0, kRadius_m, middle, middle}, curved.cell_size_m, MountainsOnABall::kSide)
-            .lower(curved.heights_m.view());
         const ShadowMask expected = cast_by_ray(curved, light);
-        ShadowMask mask(MountainsOnABall::kSide, MountainsOnABall::kSide);
-        for (std::size_t row = 0; row < mask.rows(); ++row)
-            for (std::size_t column = 0; column < mask.columns(); ++column)
-                mask(row, column) = rays.is_lit(scene.direction(row, column),
-                                                static_cast<double>(scene.mountains().heights_m(row, column)))
-                                        ? Lit::yes
-                                        : Lit::no;
+        const ShadowMask mask = scene.mask_by(
+            [&](const Vector3& place, double height_m) { return rays.is_lit(place, height_m); });
         const MaskDifference difference = mask_difference(expected, mask);
         EXPECT_LT(difference.differing, difference.cells / 2000) << altitude; // 2 and 29 of 65025
         EXPECT_LE(difference.farthest_from_edge.value_or(kNowhere), 1U) << altitude;

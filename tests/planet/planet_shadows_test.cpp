@@ -2,6 +2,7 @@
 #include "planet/tiles_of_level.h"
 #include "terrains.h"
 
+#include <duskline/planet/planet_ray.h>
 #include <duskline/planet/planet_shadows.h>
 
 #include <gtest/gtest.h>

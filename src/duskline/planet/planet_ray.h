@@ -1,25 +1,9 @@
 #pragma once
 
 #include <duskline/planet/light_axis.h>
-#include <duskline/planet/planet_tile.h>
-#include <duskline/planet/tile_heights.h>
-
-#include <cstdint>
-#include <functional>
+#include <duskline/planet/planet_level.h>
 
 namespace duskline {
-
-/// The heights of a tile. They must stay as they are and where they are while anybody asks.
-using HeightsOfTile = std::function<const TileHeights&(const PlanetTile&)>;
-
-/// The ground of one level all round the globe: between neighbouring samples of a row or column it is the straight line from
-/// one to the other in space, as it is drawn.
-struct PlanetLevel {
-    Globe globe;
-    std::uint32_t level = 0;
-    HeightRange range; ///< of all its heights, or a wider one
-    HeightsOfTile heights_of;
-};
 
 /// The truth for shadows on a curved planet: a march in double precision from a point towards the sun, in its half-plane
 /// about the light's axis, past every crossing with the rows and columns of the samples, over tiles and faces, until no
