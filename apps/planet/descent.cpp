@@ -4,7 +4,7 @@
 #include "interruption.h"
 #include "picture_target.h"
 #include "planet_files.h"
-#include "planet_scene.h"
+#include "planet_frame.h"
 #include "shadow_truth.h"
 #include "shadow_variants.h"
 
@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <filesystem>
 #include <iterator>
 #include <limits>
@@ -94,15 +95,17 @@ public:
     DescentRun fly(const ShadowVariant& variant) const
     {
         PlanetScene scene(viewed_, sources_, first_.square_pixels, execution());
+        PlanetShadowing shadowing(scene);
         DescentRun run;
         // Shaders are compiled and the first tiles read before anything is timed.
         target_.begin();
-        scene.draw_settled(state_at(variant, 0), options_.width, options_.height);
+        draw_settled(scene, shadowing, state_at(variant, 0), options_.width, options_.height);
         for (std::size_t frame = 0; frame < *options_.flydown_frames; ++frame) {
             cli::stop_if_interrupted();
             target_.begin();
             const PlanetState state = state_at(variant, frame);
-            const FrameCost cost = scene.draw(state, options_.width, options_.height, kBudget, true);
+            const FrameCost cost =
+                draw_frame(scene, shadowing, state, options_.width, options_.height, kBudget, true);
             run.all.note(cost);
             run.bands.at(band_at(state)).note(cost);
             if (!options_.frames.empty())
@@ -118,17 +121,20 @@ public:
         if (options_.errors == 0)
             return errors;
         PlanetScene scene(viewed_, sources_, first_.square_pixels, execution());
+        std::deque<PlanetShadowing> shadowings; // they stay where they are
+        for (std::size_t i = 0; i < variants.size(); ++i)
+            shadowings.emplace_back(scene);
         const GroundProbe probe(options_.width, options_.height);
         for (std::size_t pose = 0; pose < options_.errors; ++pose) {
             cli::stop_if_interrupted();
             const std::size_t frame = pose * (*options_.flydown_frames - 1) / (options_.errors - 1);
             const PlanetState first = state_at(variants.front(), frame);
-            const ProbedPicture seen = probe.settled(scene, first);
+            const ProbedPicture seen = probe.settled(scene, shadowings.front(), first);
             PictureTruth truth(*viewed_.terrain, first.sun.direction, first.camera.eye_m,
                                scene.quadtree().patches(), seen, options_.errors_step, execution());
             for (std::size_t i = 0; i < variants.size(); ++i)
                 errors[i].at(band_at(first)) += truth.errors_of(
-                    i == 0 ? seen.copy() : probe.settled(scene, state_at(variants[i], frame)));
+                    i == 0 ? seen.copy() : probe.settled(scene, shadowings[i], state_at(variants[i], frame)));
         }
         return errors;
     }

@@ -9,12 +9,14 @@ GroundProbe::GroundProbe(std::size_t width, std::size_t height)
       framebuffer_({&places_}, &depth_)
 {}
 
-ProbedPicture GroundProbe::settled(PlanetScene& scene, const PlanetState& state) const
+ProbedPicture GroundProbe::settled(PlanetScene& scene, PlanetShadowing& shadowing,
+                                   const PlanetState& state) const
 {
+    scene.load_all(state, places_.width(), places_.height());
+    shadowing.update(state, places_.width(), places_.height());
     framebuffer_.bind();
-    scene.draw_settled(state, places_.width(), places_.height());
     framebuffer_.clear({kNoGround, kNoGround, kNoGround, kNoGround});
-    scene.probe(state, places_.width(), places_.height());
+    scene.probe(state, places_.width(), places_.height(), shadowing.shadow(state));
     return gl::read_back<std::array<float, 4>>(places_);
 }
 

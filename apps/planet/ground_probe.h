@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planet_scene.h"
+#include "planet_shadowing.h"
 #include "shadow_truth.h"
 
 #include <duskline/gl/framebuffer.h>
@@ -14,7 +15,7 @@ public:
     GroundProbe(std::size_t width, std::size_t height);
 
     /// Of a state, with everything there that the view wants. Leaves its own framebuffer bound.
-    ProbedPicture settled(PlanetScene& scene, const PlanetState& state) const;
+    ProbedPicture settled(PlanetScene& scene, PlanetShadowing& shadowing, const PlanetState& state) const;
 
 private:
     gl::Texture places_;

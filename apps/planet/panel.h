@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planet_scene.h"
+#include "planet_frame.h"
 #include "planet_state.h"
 
 #include <string>

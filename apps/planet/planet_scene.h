@@ -5,77 +5,61 @@
 
 #include <duskline/execution/progress.h>
 #include <duskline/gl/planet_renderer.h>
-#include <duskline/gl/shadow_map.h>
 #include <duskline/planet/planet_quadtree.h>
-#include <duskline/planet/planet_shadows.h>
 
 #include <cstddef>
-#include <memory>
-#include <optional>
-#include <unordered_map>
+#include <cstdint>
 
 namespace duskline::planet_app {
 
-/// What a frame may do besides drawing.
-struct FrameBudget {
-    std::size_t loads = 8;    ///< tiles read
-    std::size_t shadows = 24; ///< tiles whose shadow heights are found
-};
-
-/// What a frame cost, by the wall clock; with `wait` the graphics card's work is part of it.
-struct FrameCost {
-    double load_ms = 0.0; ///< choosing tiles and reading those that are new
-    double cast_ms = 0.0; ///< finding shadows
-    double draw_ms = 0.0; ///< with taking tiles to the card
-    gl::DrawnPlanet drawn;
-    bool settled = false; ///< all that the view wants is there
-};
-
-/// A planet on the graphics card and the shadows on it, as a state says. Needs a current OpenGL context.
+/// The ground of a planet on the graphics card, and pictures of it. Shadows come from elsewhere (PlanetShadowing), so that
+/// several ways of finding them can draw the same ground in the same frame. Needs a current OpenGL context.
 class PlanetScene {
 public:
     /// `viewed` and `sources` must outlive it.
     PlanetScene(const ViewedPlanet& viewed, const gl::ShaderSources& sources, double square_pixels,
                 const Execution& execution);
+    PlanetScene(const PlanetScene&) = delete; // its renderer asks its quadtree
+    PlanetScene& operator=(const PlanetScene&) = delete;
 
-    /// Draws a picture of that size into the current framebuffer, with what is there and what the budget adds.
-    FrameCost draw(const PlanetState& state, std::size_t width, std::size_t height, const FrameBudget& budget,
-                   bool wait = false);
+    /// Chooses the tiles of a picture of that size and reads at most about so many of those that are missing.
+    void load(const PlanetState& state, std::size_t width, std::size_t height, std::size_t most_tiles);
 
     /// The same with everything there, however long it takes.
-    FrameCost draw_settled(const PlanetState& state, std::size_t width, std::size_t height);
+    void load_all(const PlanetState& state, std::size_t width, std::size_t height);
 
-    /// The picture that was last drawn, of the same state and size, as PlanetRenderer::probe_ground gives it.
-    void probe(const PlanetState& state, std::size_t width, std::size_t height);
+    /// Draws the picture for which tiles were loaded last into the current framebuffer.
+    gl::DrawnPlanet draw(const PlanetState& state, std::size_t width, std::size_t height,
+                         const gl::PlanetShadow& shadow);
+
+    /// The same picture as PlanetRenderer::probe_ground gives it.
+    void probe(const PlanetState& state, std::size_t width, std::size_t height,
+               const gl::PlanetShadow& shadow);
+
+    /// What may cast shadows into a box: PlanetRenderer::draw_depth, as DrawCasters of the box wants it.
+    void draw_casters(const Vector3& eye_m, const ShadowBox& box);
+
+    /// Another number whenever tiles have come or gone: what casts is no longer what it was.
+    std::uint64_t ground_number() const { return ground_number_; }
+
+    const PlanetTerrain& terrain() const { return *viewed_.terrain; }
+    const PlanetQuadtree& quadtree() const { return quadtree_; }
+    const gl::ShaderSources& sources() const { return sources_; }
+    const Execution& execution() const { return execution_; }
 
     /// Layers of tiles that there is room for on the card.
     std::size_t layers() const { return renderer_.layers(); }
 
-    /// Tiles of which the fronts know.
-    std::size_t tiles_of_fronts() const { return known_.size(); }
-
     /// Takes up shader files that have changed on disk.
     bool reload_shaders() { return renderer_.reload_if_changed(); }
 
-    const PlanetQuadtree& quadtree() const { return quadtree_; }
-
 private:
-    void update_shadow_map(const PlanetState& state, std::size_t width, std::size_t height);
-    void update_fronts(const PlanetState& state, std::size_t tiles);
-    void follow_tiles(const PlanetState& state);
-    void know_tile(const PlanetTile& tile);
-    gl::PlanetShadow shadow_of(const PlanetState& state) const;
-    gl::DrawnPlanet draw_picture(const PlanetState& state, std::size_t width, std::size_t height);
-
     const ViewedPlanet& viewed_;
     const gl::ShaderSources& sources_;
     Execution execution_;
     PlanetQuadtree quadtree_;
     gl::PlanetRenderer renderer_;
-    std::optional<gl::ShadowMap> map_; ///< made when first needed, and for other options
-    gl::ShadowMapOptions map_options_;
-    std::optional<PlanetShadows> fronts_;                                      ///< made when first needed
-    std::unordered_map<PlanetTile, std::shared_ptr<const TileHeights>> known_; ///< what the fronts know
+    std::uint64_t ground_number_ = 0;
 };
 
 } // namespace duskline::planet_app

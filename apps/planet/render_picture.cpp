@@ -2,7 +2,7 @@
 
 #include "picture_target.h"
 #include "planet_files.h"
-#include "planet_scene.h"
+#include "planet_frame.h"
 
 #include <duskline/gl/headless_context.h>
 #include <duskline/raster_io/write_picture.h>
@@ -24,10 +24,11 @@ void render_picture(const PlanetOptions& options, cli::Report& report)
     const PlanetState state = first_state(options, *viewed.terrain);
     const gl::ShaderSources sources;
     PlanetScene scene(viewed, sources, state.square_pixels, {.threads = options.run.threads});
+    PlanetShadowing shadowing(scene);
 
     const window::PictureTarget target(kSamplesPerSide * options.width, kSamplesPerSide * options.height);
     target.begin();
-    const FrameCost cost = scene.draw_settled(state, target.width(), target.height());
+    const FrameCost cost = draw_settled(scene, shadowing, state, target.width(), target.height());
     const Picture picture = shrunk(target.picture(), options.height, options.width);
     write_picture(options.render, picture.view(), options.overwrite);
 

@@ -4,7 +4,7 @@
 #include "peak_memory.h"
 #include "picture_target.h"
 #include "planet_files.h"
-#include "planet_scene.h"
+#include "planet_frame.h"
 #include "shadow_variants.h"
 #include "stopwatch.h"
 
@@ -69,7 +69,7 @@ public:
         : options_(options), viewed_(viewed), chance_(options.seed), target_(kWidth, kHeight),
           scene_(viewed, sources, options.look.square_pixels,
                  {.threads = options.run.threads, .progress = {}}),
-          state_(first_state(options, *viewed.terrain))
+          shadowing_(scene_), state_(first_state(options, *viewed.terrain))
     {
         gl::ShadowMapOptions usual = options.look.shadow_map;
         usual.size = kMapSize;
@@ -133,7 +133,7 @@ private:
     {
         cli::stop_if_interrupted();
         target_.begin();
-        scene_.draw(state_, kWidth, kHeight, {}, true);
+        draw_frame(scene_, shadowing_, state_, kWidth, kHeight, {}, true);
         ++figures_.frames;
         messages_.throw_if_any(fmt::format("drawing frame {} of --soak with --seed {} ({})", figures_.frames,
                                            options_.seed, name_of(state_.technique)));
@@ -143,7 +143,7 @@ private:
     void note_memory()
     {
         figures_.most_tiles = std::max(figures_.most_tiles, scene_.quadtree().tiles().size());
-        figures_.most_front_tiles = std::max(figures_.most_front_tiles, scene_.tiles_of_fronts());
+        figures_.most_front_tiles = std::max(figures_.most_front_tiles, shadowing_.tiles_of_fronts());
         figures_.most_layers = std::max(figures_.most_layers, scene_.layers());
         figures_.most_megabytes = static_cast<double>(memory_.bytes().value_or(0)) / 1e6;
         const auto require = [&](double value, double bound, const char* what) {
@@ -166,6 +166,7 @@ private:
     Chance chance_;
     window::PictureTarget target_;
     PlanetScene scene_;
+    PlanetShadowing shadowing_;
     PlanetState state_;
     std::vector<ShadowVariant> variants_;
     std::size_t leg_ = 0;

@@ -5,7 +5,7 @@
 #include "panel.h"
 #include "picture_target.h"
 #include "planet_files.h"
-#include "planet_scene.h"
+#include "planet_frame.h"
 #include "sitting.h"
 
 #include <duskline/gl/framebuffer.h>
@@ -32,7 +32,8 @@ public:
     PlanetSitting(const PlanetOptions& options, const window::AppWindow& window, const ViewedPlanet& viewed,
                   const gl::ShaderSources& sources)
         : Sitting(window), viewed_(viewed), state_(first_state(options, *viewed.terrain)),
-          scene_(viewed, sources, state_.square_pixels, {.threads = options.run.threads, .progress = {}})
+          scene_(viewed, sources, state_.square_pixels, {.threads = options.run.threads, .progress = {}}),
+          shadowing_(scene_)
     {}
 
 private:
@@ -50,7 +51,7 @@ private:
         if (!target_ || target_->width() != width || target_->height() != height)
             target_ = std::make_unique<window::PictureTarget>(width, height);
         target_->begin();
-        note(scene_.draw(state_, width, height, {}));
+        note(planet_app::draw_frame(scene_, shadowing_, state_, width, height));
         if (activity_.wants_screenshot)
             save_screenshot();
         gl::bind_window(width, height);
@@ -232,6 +233,7 @@ private:
     const ViewedPlanet& viewed_;
     PlanetState state_;
     PlanetScene scene_;
+    PlanetShadowing shadowing_;
     Activity activity_;
     FrameFigures figures_;
     std::unique_ptr<window::PictureTarget> target_; ///< of the window's size, with depth that can be reversed

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "planet_scene.h"
+#include "planet_shadowing.h"
+
+#include <cstddef>
+
+namespace duskline::planet_app {
+
+/// What a frame may do besides drawing.
+struct FrameBudget {
+    std::size_t loads = 8;    ///< tiles read
+    std::size_t shadows = 24; ///< tiles whose shadow heights are found
+};
+
+/// What a frame cost, by the wall clock; with `wait` the graphics card's work is part of it.
+struct FrameCost {
+    double load_ms = 0.0; ///< choosing tiles and reading those that are new
+    double cast_ms = 0.0; ///< finding shadows
+    double draw_ms = 0.0; ///< with taking tiles to the card
+    gl::DrawnPlanet drawn;
+    bool settled = false; ///< all that the view wants is there
+
+    double frame_ms() const { return load_ms + cast_ms + draw_ms; }
+};
+
+/// Loads tiles for a frame. Says how long it took.
+double load_tiles(PlanetScene& scene, const PlanetState& state, std::size_t width, std::size_t height,
+                  const FrameBudget& budget);
+
+/// Finds shadows and draws a picture of that size into the current framebuffer, with the tiles that are loaded.
+FrameCost draw_loaded(PlanetScene& scene, PlanetShadowing& shadowing, const PlanetState& state,
+                      std::size_t width, std::size_t height, const FrameBudget& budget, bool wait = false);
+
+/// Both: a picture with what is there and what the budget adds.
+FrameCost draw_frame(PlanetScene& scene, PlanetShadowing& shadowing, const PlanetState& state,
+                     std::size_t width, std::size_t height, const FrameBudget& budget = {},
+                     bool wait = false);
+
+/// The same with everything there, however long it takes.
+FrameCost draw_settled(PlanetScene& scene, PlanetShadowing& shadowing, const PlanetState& state,
+                       std::size_t width, std::size_t height);
+
+} // namespace duskline::planet_app
