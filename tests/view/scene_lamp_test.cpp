@@ -36,7 +36,7 @@ TEST(SceneLamp, IsRefusedWithTheValueThatIsWrong)
     EXPECT_TRUE(refused({.position_m = {1.0, nan, 0.0}}, "nan"));
     EXPECT_TRUE(refused({.direction = {0.0, 0.0, 0.0}, .half_angle = 20_deg}, "0.000000, 0.000000"));
     EXPECT_NO_THROW(require_valid({.direction = {0.0, 0.0, 0.0}}));
-    EXPECT_TRUE(refused({.half_angle = 0_deg}, "0.0"));
+    EXPECT_TRUE(refused({.half_angle = 0.3_deg}, "0.3"));
     EXPECT_TRUE(refused({.half_angle = 181_deg}, "181"));
     EXPECT_TRUE(refused({.soft_edge = 1.5}, "1.5"));
     EXPECT_TRUE(refused({.colour = {1.0f, -2.0f, 0.0f}}, "-2"));

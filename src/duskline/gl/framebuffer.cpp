@@ -36,6 +36,14 @@ private:
     GLint before_ = 0;
 };
 
+void require_complete()
+{
+    if (const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+        status != GL_FRAMEBUFFER_COMPLETE)
+        throw UnsupportedOnThisMachine("this driver does not draw into such textures (framebuffer status "
+                                       + std::to_string(status) + ")");
+}
+
 void attach(GLenum place, const Texture& texture)
 {
     glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, place, GL_TEXTURE_2D, texture.name(), 0);
@@ -69,10 +77,17 @@ Framebuffer::Framebuffer(const std::vector<const Texture*>& colours, const Textu
     if (depth != nullptr)
         attach(GL_DEPTH_ATTACHMENT, *depth);
     glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
-    if (const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
-        status != GL_FRAMEBUFFER_COMPLETE)
-        throw UnsupportedOnThisMachine("this driver does not draw into such textures (framebuffer status "
-                                       + std::to_string(status) + ")");
+    require_complete();
+}
+
+Framebuffer::Framebuffer(const TextureArray& depth, std::size_t layer)
+    : width_(depth.width()), height_(depth.height()), has_depth_(true), framebuffer_(new_framebuffer())
+{
+    const BoundForDrawing bound(name());
+    glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.name(), 0,
+                              static_cast<GLint>(layer));
+    glDrawBuffers(0, nullptr);
+    require_complete();
 }
 
 void Framebuffer::bind() const

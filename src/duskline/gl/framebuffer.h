@@ -2,6 +2,7 @@
 
 #include <duskline/gl/handle.h>
 #include <duskline/gl/texture.h>
+#include <duskline/gl/texture_array.h>
 
 #include <array>
 #include <cstddef>
@@ -18,6 +19,9 @@ public:
     /// Throws InvalidInput for textures of different sizes or none at all, UnsupportedOnThisMachine for a combination
     /// that the driver refuses.
     explicit Framebuffer(const std::vector<const Texture*>& colours, const Texture* depth = nullptr);
+
+    /// Depth alone, in a layer of an array.
+    Framebuffer(const TextureArray& depth, std::size_t layer);
 
     /// Everything drawn from now on goes here, to all of it (the viewport is its size).
     void bind() const;

@@ -90,6 +90,15 @@ void TextureArray::upload_rows(const void* values, PixelLayout layout, std::size
                     static_cast<GLsizei>(height_), 1, format, type, values);
 }
 
+void TextureArray::compare_reversed_depth()
+{
+    const ArrayBoundForEdit bound(name());
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+}
+
 void TextureArray::bind(unsigned int unit) const
 {
     GLint active = 0;

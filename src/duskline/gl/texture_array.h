@@ -26,6 +26,10 @@ public:
                     values.columns(), values.row_stride(), layer);
     }
 
+    /// For depth32f: sampler2DArrayShadow, which answers whether the reference is at or above what is stored (with reversed
+    /// depth: at or before it), mixed from four texels.
+    void compare_reversed_depth();
+
     /// To a texture unit, for samplers of that number.
     void bind(unsigned int unit) const;
 

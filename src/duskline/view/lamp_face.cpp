@@ -61,6 +61,7 @@ std::vector<LampFace> lamp_faces(const SceneLamp& lamp, std::size_t texels)
     if (lamp.half_angle.degrees() <= kWidestFace_deg)
         return {face(axes_along(normalized(lamp.direction)), tangent(lamp.half_angle))};
     std::vector<LampFace> faces;
+    faces.reserve(kCube.size());
     for (const CameraAxes& axes : kCube)
         faces.push_back(face(axes, 1.0));
     return faces;

@@ -37,8 +37,8 @@ void require_place(const SceneLamp& lamp)
 
 void require_beam(const SceneLamp& lamp)
 {
-    if (!(lamp.half_angle.degrees() > 0.0 && lamp.half_angle.degrees() <= 180.0))
-        throw InvalidInput("a lamp's half angle must be above 0 and at most 180 degrees, got "
+    if (!(lamp.half_angle.degrees() >= 0.5 && lamp.half_angle.degrees() <= 180.0))
+        throw InvalidInput("a lamp's half angle must be 0.5 to 180 degrees, got "
                            + std::to_string(lamp.half_angle.degrees()));
     if (!(lamp.soft_edge >= 0.0 && lamp.soft_edge <= 1.0))
         throw InvalidInput("the soft edge of a lamp's beam must be 0 to 1 of its half angle, got "

@@ -21,7 +21,7 @@ struct SceneLamp {
     Vector3 position_m = {};
     Vector3 direction = {0.0, 0.0, -1.0}; ///< of the beam's axis, any length; of no meaning at 180 degrees
     Angle half_angle =
-        Angle::from_degrees(180.0); ///< between axis and border of the beam; 180 shines all round
+        Angle::from_degrees(180.0); ///< between axis and border of the beam, 0.5 to 180; 180 shines all round
     double soft_edge = 0.2; ///< share of the half angle, from its border inwards, where a beam fades; 0 to 1
     std::array<float, 3> colour = {1.0f, 1.0f, 1.0f}; ///< light: red, green, blue; 0 or above
     double bright_m = 100.0; ///< distance at which it is as bright as the sun; above 0
