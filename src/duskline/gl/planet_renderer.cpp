@@ -1,3 +1,4 @@
+#include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/planet_renderer.h>
 #include <duskline/gl/reversed_depth.h>
 
@@ -126,6 +127,12 @@ void set_morph(TileOnCard& tile, const MorphRange& morph)
 
 } // namespace
 
+// What the pixels tell: PLANET_PROBE of planet.frag.glsl.
+struct PlanetRenderer::Asked {
+    const char* probe = "0";
+    std::size_t lamp = 0;
+};
+
 PlanetRenderer::PlanetRenderer(const ShaderSources& sources, const Globe& globe,
                                PlanetTextures::HeightsOf heights_of)
     : sources_(sources), globe_(globe), textures_(std::move(heights_of)),
@@ -144,15 +151,16 @@ PlanetRenderer::PlanetRenderer(const ShaderSources& sources, const Globe& globe,
     patch_.set_indices(indices_);
 }
 
-const Program& PlanetRenderer::ground_program(const PlanetShadow& shadow, bool probe)
+const Program& PlanetRenderer::ground_program(const PlanetLight& light, const PlanetShadow& shadow,
+                                              const Asked& asked)
 {
     std::vector<ShaderDefine> defines;
     if (shadow.map != nullptr)
         defines = shadow.map->defines();
     const char* kind = shadow.map != nullptr ? "1" : shadow.heights_of ? "2" : "0";
     defines.push_back({"PLANET_SHADOW", kind});
-    if (probe)
-        defines.push_back({"PLANET_PROBE", "1"});
+    defines.push_back({"PLANET_LAMPS", light.lamps != nullptr && !light.lamps->lamps().empty() ? "1" : "0"});
+    defines.push_back({"PLANET_PROBE", asked.probe});
     std::vector<std::string> key;
     key.reserve(defines.size());
     for (const ShaderDefine& define : defines)
@@ -263,21 +271,29 @@ DrawnPlanet PlanetRenderer::draw(const PlanetView& view, const PlanetLight& ligh
 DrawnPlanet PlanetRenderer::draw_ground(const PlanetView& view, const PlanetLight& light,
                                         std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
 {
-    return draw_with(false, view, light, patches, shadow);
+    return draw_with({}, view, light, patches, shadow);
 }
 
 DrawnPlanet PlanetRenderer::probe_ground(const PlanetView& view, const PlanetLight& light,
                                          std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
 {
-    return draw_with(true, view, light, patches, shadow);
+    return draw_with({.probe = "1"}, view, light, patches, shadow);
 }
 
-DrawnPlanet PlanetRenderer::draw_with(bool probe, const PlanetView& view, const PlanetLight& light,
+DrawnPlanet PlanetRenderer::probe_lamp(const PlanetView& view, const PlanetLight& light,
+                                       std::span<const PlanetPatch> patches, std::size_t lamp)
+{
+    if (light.lamps == nullptr || lamp >= light.lamps->lamps().size())
+        throw InvalidInput("there is no lamp " + std::to_string(lamp) + " to ask for");
+    return draw_with({.probe = "2", .lamp = lamp}, view, light, patches, {});
+}
+
+DrawnPlanet PlanetRenderer::draw_with(const Asked& asked, const PlanetView& view, const PlanetLight& light,
                                       std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
 {
     hold(patches, shadow);
     upload_tiles(view.eye_m, patches);
-    const Program& program = ground_program(shadow, probe);
+    const Program& program = ground_program(light, shadow, asked);
     const double aspect = static_cast<double>(view.width) / static_cast<double>(view.height);
     program.use();
     set_surface(program);
@@ -286,6 +302,9 @@ DrawnPlanet PlanetRenderer::draw_with(bool probe, const PlanetView& view, const 
     program.set("eye_m", as_floats(view.eye_m));
     if (shadow.map != nullptr)
         shadow.map->bind(shadow.map->block(view.eye_m, shadow.look), shadow_map_block_);
+    if (light.lamps != nullptr)
+        light.lamps->bind(light.lamps->block(view.eye_m), lamp_block_);
+    program.set("probed_lamp", static_cast<int>(asked.lamp));
     program.set("ambient", light.ambient);
     program.set("living", light.living ? 1 : 0);
     program.set("show_made", view.show_made ? 1 : 0);

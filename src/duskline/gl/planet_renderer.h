@@ -1,6 +1,7 @@
 #pragma once
 
 #include <duskline/gl/buffer.h>
+#include <duskline/gl/lamp_maps.h>
 #include <duskline/gl/planet_textures.h>
 #include <duskline/gl/program.h>
 #include <duskline/gl/shadow_map.h>
@@ -27,6 +28,8 @@ struct PlanetLight {
     float exposure = 1.0f; ///< above 0
     bool air = true;       ///< sky, haze and dusk; else black, and dark where no sun is
     bool living = true;    ///< water, plants and snow; else dust
+    const LampMaps* lamps =
+        nullptr; ///< that shine beside the sun, positions in the planet's frame; casters by `draw_depth`
 };
 
 /// From where, and how large.
@@ -57,7 +60,7 @@ struct DrawnPlanet {
 /// a sun and a sky.
 ///
 /// Draw into a Framebuffer with depth32f (see gl/reversed_depth.h). Takes texture units 0 to 2 and shader storage 0, with a
-/// shadow map those of it too, and leaves its own there.
+/// shadow map or lamps those of them too, and leaves its own there.
 class PlanetRenderer {
 public:
     /// `sources` must outlive it. Throws ShaderError, InvalidInput for radii that are wrong, and UnsupportedOnThisMachine
@@ -79,6 +82,11 @@ public:
     DrawnPlanet probe_ground(const PlanetView& view, const PlanetLight& light,
                              std::span<const PlanetPatch> patches, const PlanetShadow& shadow = {});
 
+    /// The same with how much of a lamp of the light's (by its number there) is to be seen from there instead, 0 to 1; -1 where it
+    /// would light nothing anyway: on what faces away, beside its beam, beyond its range.
+    DrawnPlanet probe_lamp(const PlanetView& view, const PlanetLight& light,
+                           std::span<const PlanetPatch> patches, std::size_t lamp);
+
     /// Draws the depth of the same mesh as a light sees it, into the current framebuffer with the depth test as it is:
     /// `to_clip` takes places relative to the eye, axes planet-fixed, to the light's clip space.
     DrawnPlanet draw_depth(const Vector3& eye_m, const Matrix4& to_clip,
@@ -94,8 +102,10 @@ public:
     bool reload_if_changed();
 
 private:
-    const Program& ground_program(const PlanetShadow& shadow, bool probe);
-    DrawnPlanet draw_with(bool probe, const PlanetView& view, const PlanetLight& light,
+    struct Asked;
+
+    const Program& ground_program(const PlanetLight& light, const PlanetShadow& shadow, const Asked& asked);
+    DrawnPlanet draw_with(const Asked& asked, const PlanetView& view, const PlanetLight& light,
                           std::span<const PlanetPatch> patches, const PlanetShadow& shadow);
     void hold(std::span<const PlanetPatch> patches, const PlanetShadow& shadow);
     void upload_tiles(const Vector3& eye_m, std::span<const PlanetPatch> patches);
@@ -117,6 +127,7 @@ private:
     Buffer indices_;
     Buffer tiles_;
     Buffer shadow_map_block_;
+    Buffer lamp_block_;
     std::size_t patch_indices_ = 0;
 };
 

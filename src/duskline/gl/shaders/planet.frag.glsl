@@ -5,12 +5,18 @@
 //   0             nowhere: all is lit that faces the sun
 //   1             a shadow map
 //   2             shadow heights of the tiles
-// PLANET_PROBE    instead of colours: the place from the eye, and the light that gets there, below 0 on ground that faces away
+// PLANET_LAMPS    whether lamps shine: 0 or 1
+// PLANET_PROBE    instead of colours: the place from the eye, and
+//   1             how much sunlight gets there, below 0 on ground that faces away
+//   2             how much of a lamp is visible, below 0 where it lights nothing anyway
 
 #version 430 core
 #include "planet_surface.glsl"
 #include "planet_air.glsl"
 #include "srgb.glsl"
+#if PLANET_LAMPS
+#include "lamp_maps.glsl"
+#endif
 
 in vec3 from_eye_m;
 in vec3 normal;
@@ -49,6 +55,7 @@ uniform float exposure;
 uniform bool living;    // water, plants and snow; else dust
 uniform bool show_made; // mark what no file has measured
 uniform sampler2DArray planet_measured;
+uniform int probed_lamp;
 
 out vec4 pixel;
 
@@ -113,6 +120,18 @@ vec3 light_on(vec3 outwards, vec3 facing, float lit)
     return sun * (1.0 - ambient) + sky + vec3(0.004, 0.006, 0.012);
 }
 
+#if PLANET_LAMPS
+// What the sun is at noon, by `light_on`: lamps are as bright as their distances say.
+const float kSunOnLevelGround = 1.6;
+
+// Of the mesh itself, which is what casts.
+vec3 triangle_normal(vec3 outwards)
+{
+    vec3 across = cross(dFdx(from_eye_m), dFdy(from_eye_m));
+    return dot(across, outwards) < 0.0 ? -across : across;
+}
+#endif
+
 void main()
 {
     vec3 outwards = normalize(eye_m + from_eye_m);
@@ -120,8 +139,13 @@ void main()
     float steepness = sqrt(1.0 - upright * upright) / upright;
     PlanetPlace place = PlanetPlace(from_eye_m, normal, at, height_m, turned, tile_layers, in_parent);
     float lit = planet_shadow(place);
-#ifdef PLANET_PROBE
+#if PLANET_PROBE == 1
     pixel = vec4(from_eye_m, dot(normal, towards_sun) > 0.0 ? lit : -1.0);
+    return;
+#elif PLANET_PROBE == 2
+    vec3 triangle = triangle_normal(outwards);
+    bool lights = lamp_unshaded(probed_lamp, from_eye_m, normalize(normal)) > 0.0;
+    pixel = vec4(from_eye_m, lights ? lamp_visible(probed_lamp, from_eye_m, triangle) : -1.0);
     return;
 #endif
     float land = living ? land_share() : 1.0;
@@ -129,7 +153,12 @@ void main()
     if (show_made && is_made())
         colour = mix(colour, vec3(0.9, 0.1, 0.6), 0.35);
     // The sea is level, though the mesh rises from it before the shore.
-    colour *= light_on(outwards, normalize(mix(outwards, normalize(normal), land)), lit);
+    vec3 facing = normalize(mix(outwards, normalize(normal), land));
+    vec3 light = light_on(outwards, facing, lit);
+#if PLANET_LAMPS
+    light += kSunOnLevelGround * lamp_light(from_eye_m, facing, triangle_normal(outwards));
+#endif
+    colour *= light;
     vec4 overlay = planet_shadow_overlay(place, lit);
     colour = mix(colour, overlay.rgb, overlay.a);
     Haze haze = haze_before(from_eye_m);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <duskline/planet/oriented_box.h>
+#include <duskline/planet/planet_patch.h>
+#include <duskline/planet/planet_quadtree.h>
+#include <duskline/view/lamp_face.h>
+
+#include <vector>
+
+namespace duskline {
+
+/// A box round all that a face of a lamp may see.
+OrientedBox space_of(const LampFace& face);
+
+/// False only for what stands beside the face's view, or beyond its range.
+bool may_cast_into(const LampFace& face, const OrientedBox& casters);
+
+/// What may cast shadows into a face: of the quadtree's casters (PlanetQuadtree::casters) in its space those that it may see.
+std::vector<PlanetPatch> casters_of(const PlanetQuadtree& quadtree, const LampFace& face);
+
+} // namespace duskline
