@@ -54,7 +54,7 @@ if(TARGET duskline_gl)
     DEPENDENCIES epoxy)
   # For renderers that read their shaders from files.
   install(FILES src/duskline/gl/shaders/shadow_map.glsl src/duskline/gl/shaders/shadow_map_block.h
-    src/duskline/gl/shaders/four_cells.glsl src/duskline/gl/shaders/terrain_shadow.glsl src/duskline/gl/shaders/terrain_shadow_block.h
+    src/duskline/gl/shaders/four_cells.glsl src/duskline/gl/shaders/visible_disc.glsl src/duskline/gl/shaders/terrain_shadow.glsl src/duskline/gl/shaders/terrain_shadow_block.h
     DESTINATION ${CMAKE_INSTALL_DATADIR}/duskline/shaders)
 endif()
 

@@ -62,6 +62,11 @@ void draw_shadows(PlanetState& state)
         }
         ImGui::EndCombo();
     }
+    if (state.technique == PlanetTechnique::fronts) {
+        ImGui::Checkbox("Sun's disc", &state.soft);
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("half-shadows: the sun may be seen in part");
+    }
     if (state.technique == PlanetTechnique::shadow_map)
         window::shadow_map_controls(state.shadow_map, state.shadow_look);
 }

@@ -4,12 +4,8 @@
 
 #include <duskline/gl/context.h>
 
-#include <limits>
-
 namespace duskline::planet_app {
 namespace {
-
-constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
 double milliseconds(bool wait, const auto& work)
 {
@@ -55,7 +51,7 @@ FrameCost draw_settled(PlanetScene& scene, PlanetShadowing& shadowing, const Pla
                        std::size_t width, std::size_t height)
 {
     scene.load_all(state, width, height);
-    return draw_loaded(scene, shadowing, state, width, height, {.loads = kAll, .shadows = kAll});
+    return draw_loaded(scene, shadowing, state, width, height, {.loads = kAllTiles, .shadows = {}});
 }
 
 } // namespace duskline::planet_app

@@ -10,7 +10,7 @@ namespace duskline::planet_app {
 /// What a frame may do besides drawing.
 struct FrameBudget {
     std::size_t loads = 8;    ///< tiles read
-    std::size_t shadows = 24; ///< tiles whose shadow heights are found
+    ShadowBudget shadows = {.tiles = 24};
 };
 
 /// What a frame cost, by the wall clock; with `wait` the graphics card's work is part of it.

@@ -125,6 +125,9 @@ void add_view(CLI::App& app, PlanetOptions& options)
                    "how shadows are found: " + technique_list() + "; with --flydown also all; else fronts")
         ->type_name("NAME")
         ->group(kView);
+    app.add_flag("--soft", options.look.soft,
+                 "with the technique fronts: half-shadows of the sun's disc, 0.53 degrees across")
+        ->group(kView);
     app.add_option_function<std::string>(
            "--shadow-map",
            [&options](const std::string& typed) {

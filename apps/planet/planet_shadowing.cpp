@@ -1,5 +1,7 @@
 #include "planet_shadowing.h"
 
+#include "stopwatch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,12 +48,12 @@ OrientedBox space_of_casters(const PlanetTerrain& terrain, const PlanetState& st
 } // namespace
 
 void PlanetShadowing::update(const PlanetState& state, std::size_t width, std::size_t height,
-                             std::size_t most_tiles)
+                             const ShadowBudget& budget)
 {
     if (state.technique == PlanetTechnique::shadow_map)
         update_shadow_map(state, width, height);
     else if (state.technique == PlanetTechnique::fronts)
-        update_fronts(state, most_tiles);
+        update_fronts(state, budget);
 }
 
 void PlanetShadowing::update_shadow_map(const PlanetState& state, std::size_t width, std::size_t height)
@@ -98,16 +100,32 @@ void PlanetShadowing::follow_tiles(const PlanetState& state)
         know_tile(patch.tile);
 }
 
-void PlanetShadowing::update_fronts(const PlanetState& state, std::size_t most_tiles)
+void PlanetShadowing::make_fronts(const PlanetState& state)
 {
-    if (!fronts_)
-        fronts_.emplace(scene_.terrain().globe(), state.sun.direction);
+    const Globe& globe = scene_.terrain().globe();
+    known_.clear();
+    fronts_of_disc_ = state.soft;
+    fronts_ = state.soft
+                  ? PlanetShadows::of_disc(globe, state.sun.direction, gl::PlanetLight().sun_radius)
+                  : PlanetShadows(globe, state.sun.direction);
+}
+
+void PlanetShadowing::update_fronts(const PlanetState& state, const ShadowBudget& budget)
+{
+    if (!fronts_ || fronts_of_disc_ != state.soft)
+        make_fronts(state);
     fronts_->set_sun(state.sun.direction);
     follow_tiles(state);
-    if (most_tiles == std::numeric_limits<std::size_t>::max())
+    if (budget.tiles == kAllTiles) {
         fronts_->settle(scene_.execution());
-    else
-        fronts_->update(most_tiles, scene_.execution());
+        return;
+    }
+    double seconds = 0.0;
+    std::size_t done = 0;
+    do {
+        const cli::Stopwatch watch(seconds);
+        done = fronts_->update(budget.tiles, scene_.execution());
+    } while (done > 0 && 1000.0 * seconds < budget.ms);
 }
 
 gl::PlanetShadow PlanetShadowing::shadow(const PlanetState& state) const
@@ -117,10 +135,8 @@ gl::PlanetShadow PlanetShadowing::shadow(const PlanetState& state) const
         shadow.map = &*map_;
         shadow.look = state.shadow_look;
     } else if (state.technique == PlanetTechnique::fronts) {
-        shadow.heights_of = [this](const PlanetTile& tile) {
-            const std::shared_ptr<const TileShadow> found = fronts_->shadow_of(tile);
-            return found ? std::shared_ptr<const Grid<float>>(found, &found->heights_m) : nullptr;
-        };
+        shadow.shadows_of = [this](const PlanetTile& tile) { return fronts_->shown(tile); };
+        shadow.of_disc = fronts_of_disc_;
     }
     return shadow;
 }

@@ -50,6 +50,7 @@ struct PlanetState {
     PlanetCamera camera;
     PlanetSun sun;
     PlanetTechnique technique = PlanetTechnique::fronts;
+    bool soft = false; ///< fronts: the sun is a disc that may be seen in part
     gl::ShadowMapOptions shadow_map;
     gl::ShadowMapLook shadow_look;
     double square_pixels = 4.0; ///< of the mesh: PlanetQuadtreeOptions

@@ -26,6 +26,9 @@ namespace {
 constexpr double kLeastClearance_m = 1.0;
 constexpr double kMostClearance = 20.0; // in radii
 
+// On machines with many cores more tiles are done in that time.
+constexpr FrameBudget kBudget = {.shadows = {.tiles = 24, .ms = 8.0}};
+
 // One sitting before a planet.
 class PlanetSitting : public window::Sitting {
 public:
@@ -51,7 +54,7 @@ private:
         if (!target_ || target_->width() != width || target_->height() != height)
             target_ = std::make_unique<window::PictureTarget>(width, height);
         target_->begin();
-        note(planet_app::draw_frame(scene_, shadowing_, state_, width, height));
+        note(planet_app::draw_frame(scene_, shadowing_, state_, width, height, kBudget));
         if (activity_.wants_screenshot)
             save_screenshot();
         gl::bind_window(width, height);

@@ -166,10 +166,7 @@ private:
     PlanetShadow fronts()
     {
         fronts_.settle();
-        return {[this](const PlanetTile& tile) {
-            const auto shadow = fronts_.shadow_of(tile);
-            return std::shared_ptr<const Grid<float>>(shadow, &shadow->heights_m);
-        }};
+        return {[this](const PlanetTile& tile) { return fronts_.shown(tile); }};
     }
 
     PlanetShadow map_for(const Frame& frame)

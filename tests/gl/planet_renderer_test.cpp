@@ -6,7 +6,10 @@
 #include <duskline/gl/reversed_depth.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
 
 namespace duskline::gl {
 namespace {
@@ -206,25 +209,99 @@ TEST_F(PlanetPicture, HasALimbThatGlows)
     EXPECT_GT(brightest, 450);
 }
 
+using Shadow = std::shared_ptr<const TileShadow>;
+
+// The same shadow height everywhere; of a disc the lower one, too.
+Shadow shadow_at(float height_m, std::optional<float> dark_m = {})
+{
+    auto shadow = std::make_shared<TileShadow>();
+    std::ranges::fill(shadow->heights_m.values(), height_m);
+    if (dark_m)
+        shadow->dark_m = Grid<float>(kTileSquares + 1, kTileSquares + 1, *dark_m);
+    return shadow;
+}
+
 TEST_F(PlanetPicture, IsDarkUnderShadowHeights)
 {
     Scene scene(kWgs84, [](const Vector3&) { return 500.0; });
-    using Heights = std::shared_ptr<const Grid<float>>;
-    const Heights below = std::make_shared<const Grid<float>>(kTileSquares + 1, kTileSquares + 1, 400.0f);
-    const Heights above = std::make_shared<const Grid<float>>(kTileSquares + 1, kTileSquares + 1, 600.0f);
+    const Shadow below = shadow_at(400.0f);
+    const Shadow above = shadow_at(600.0f);
     const Vector3 eye_m = {8e6, 0.0, 0.0};
     const PlanetView view = scene.view_from(eye_m, 0.0, -90.0);
     const auto patches = patches_around(scene.planet, eye_m, 1.5, 2);
-    const auto middle = [&](const ShadowHeightsOf& heights_of) {
-        return scene.picture(view, patches, {heights_of})(75, 100);
+    const auto middle = [&](const TileShadowsOf& shadows_of) {
+        return scene.picture(view, patches, {shadows_of})(75, 100);
     };
     const Pixel lit = middle({});
-    EXPECT_EQ(middle([&](const PlanetTile&) { return below; }), lit);
-    const Pixel dark = middle([&](const PlanetTile&) { return above; });
+    EXPECT_EQ(middle([&](const PlanetTile&) { return ShownShadow{below}; }), lit);
+    const Pixel dark = middle([&](const PlanetTile&) { return ShownShadow{above}; });
     EXPECT_LT(brightness(dark), brightness(lit) - 100);
-    EXPECT_EQ(middle([](const PlanetTile&) { return Heights(); }), lit);
+    EXPECT_EQ(middle([](const PlanetTile&) { return ShownShadow(); }), lit);
     // Where the finest are missing their parents' do.
-    EXPECT_EQ(middle([&](const PlanetTile& tile) { return tile.level == 2 ? Heights() : above; }), dark);
+    EXPECT_EQ(middle([&](const PlanetTile& tile) {
+                  return tile.level == 2 ? ShownShadow() : ShownShadow{above};
+              }),
+              dark);
+}
+
+// The ground at 500 m; what the renderer says of the light in the middle of the picture.
+class ProbedPlanet {
+public:
+    float light(const PlanetShadow& shadow)
+    {
+        const Framebuffer framebuffer({&places_}, &depth_);
+        framebuffer.clear({0.0f, 0.0f, 0.0f, -2.0f});
+        framebuffer.bind();
+        scene_.light.to_sun = {1.0, 0.0, 0.0};
+        scene_.renderer.probe_ground(view_, scene_.light, patches_, shadow);
+        return read_back<std::array<float, 4>>(places_)(75, 100)[3];
+    }
+
+private:
+    Scene scene_{kWgs84, [](const Vector3&) { return 500.0; }};
+    PlanetView view_ = scene_.view_from({8e6, 0.0, 0.0}, 0.0, -90.0);
+    std::vector<PlanetPatch> patches_ = patches_around(scene_.planet, {8e6, 0.0, 0.0}, 1.5, 2);
+    Texture places_{TextureFormat::rgba32f, 200, 150};
+    Texture depth_{TextureFormat::depth32f, 200, 150};
+};
+
+TEST_F(PlanetPicture, SeesAPartOfTheDiscBetweenItsTwoHeights)
+{
+    ProbedPlanet planet;
+    const auto light = [&](float dark_m, float lit_m) {
+        const Shadow shadow = shadow_at(lit_m, dark_m);
+        return planet.light({.shadows_of = [=](const PlanetTile&) { return ShownShadow{shadow}; },
+                             .of_disc = true});
+    };
+    EXPECT_EQ(light(300.0f, 400.0f), 1.0f);
+    EXPECT_EQ(light(600.0f, 900.0f), 0.0f);
+    EXPECT_NEAR(light(400.0f, 600.0f), 0.5f, 1e-3f);
+    // A quarter of the diameter: the segment of a circle, not a quarter of its area.
+    EXPECT_NEAR(light(400.0f, 800.0f), 0.1955f, 1e-3f);
+    EXPECT_NEAR(light(200.0f, 600.0f), 0.8045f, 1e-3f);
+}
+
+TEST_F(PlanetPicture, InterpolatesShadowHeightsBetweenTwoSunsAndKeepsThemWhenTheSecondBecomesTheFirst)
+{
+    ProbedPlanet planet;
+    const auto light = [&](const Shadow& first, const Shadow& second, double share) {
+        return planet.light(
+            {.shadows_of = [=](const PlanetTile&) { return ShownShadow{first, second, share}; }});
+    };
+    const Shadow low = shadow_at(400.0f);
+    const Shadow high = shadow_at(700.0f);
+    const Shadow higher = shadow_at(800.0f);
+    EXPECT_EQ(light(low, high, 0.0), 1.0f);
+    EXPECT_EQ(light(low, high, 0.3), 1.0f);
+    EXPECT_EQ(light(low, high, 0.4), 0.0f);
+    EXPECT_EQ(light(low, nullptr, 0.0), 1.0f);
+    // The edge is where the height is 500 m: half way from 700 m to 300 m, a quarter from 400 m to 800 m.
+    const Shadow lower = shadow_at(300.0f);
+    EXPECT_EQ(light(high, lower, 0.45), 0.0f);
+    EXPECT_EQ(light(high, lower, 0.55), 1.0f);
+    EXPECT_EQ(light(lower, higher, 0.35), 1.0f);
+    EXPECT_EQ(light(lower, higher, 0.45), 0.0f);
+    EXPECT_EQ(light(higher, nullptr, 0.0), 0.0f);
 }
 
 TEST_F(PlanetPicture, MarksWhatIsMadeUp)

@@ -2,6 +2,7 @@
 #include "planet/tiles_of_level.h"
 #include "terrains.h"
 
+#include <duskline/geometry/invalid_input.h>
 #include <duskline/planet/planet_ray.h>
 #include <duskline/planet/planet_shadows.h>
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -182,6 +184,40 @@ TEST(PlanetShadows, OfTheEdgesOfTheSunsDiscAreThoseOfRaysAndEncloseThoseOfItsMid
     }
 }
 
+TEST(PlanetShadows, OfADiscAreThoseOfBothItsEdgesWhereTheseDecide)
+{
+    const Angle radius = Angle::from_degrees(0.2666);
+    PlanetShadows disc = PlanetShadows::of_disc(kWgs84, kLowSun, radius);
+    PlanetShadows lower(kWgs84, kLowSun, -radius);
+    PlanetShadows upper(kWgs84, kLowSun, radius);
+    for (PlanetShadows* shadows : {&disc, &lower, &upper}) {
+        insert(*shadows, tiles_of_level(1));
+        shadows->settle();
+    }
+    std::size_t dark = 0;
+    for (const PlanetTile& tile : tiles_of_level(1))
+        for (std::size_t row = 0; row <= kTileSquares; ++row)
+            for (std::size_t column = 0; column <= kTileSquares; ++column) {
+                const auto shadow = disc.shadow_of(tile);
+                const float ground_m = mountains().heights_of(tile).height_m(
+                    static_cast<std::int32_t>(row), static_cast<std::int32_t>(column));
+                ASSERT_EQ(shadow->heights_m(row, column), lower.shadow_of(tile)->heights_m(row, column));
+                const float upper_m = upper.shadow_of(tile)->heights_m(row, column);
+                ASSERT_LE(shadow->dark_m(row, column), upper_m);
+                if (upper_m > ground_m) {
+                    ++dark;
+                    ASSERT_EQ(shadow->dark_m(row, column), upper_m);
+                }
+            }
+    EXPECT_GT(dark, 10000U);
+}
+
+TEST(PlanetShadows, OfADiscNeedARadius)
+{
+    EXPECT_THROW(PlanetShadows::of_disc(kWgs84, kLowSun, {}), InvalidInput);
+    EXPECT_THROW(PlanetShadows::of_disc(kWgs84, kLowSun, Angle::from_degrees(6.0)), InvalidInput);
+}
+
 // A tile, those across its edges, those across theirs and so on, and all ancestors.
 std::set<PlanetTile> tiles_around_tile(const PlanetTile& tile, int rings)
 {
@@ -224,6 +260,91 @@ TEST(PlanetShadows, AreThoseOfRaysOnFineTilesAroundCornersAndEdgesOfTheCube)
     EXPECT_GT(dark, share.samples / 20);
     EXPECT_LT(dark, share.samples);
     EXPECT_LT(share.value(), 0.003) << share.wrong << " of " << share.samples << ", " << dark << " dark";
+}
+
+// The part of a disc that stands over a level horizon: -1 at its lower edge, 1 at its upper one.
+double disc_above(double horizon)
+{
+    const double t = std::clamp(horizon, -1.0, 1.0);
+    return 0.5 - (t * std::sqrt(1.0 - t * t) + std::asin(t)) / std::numbers::pi;
+}
+
+// As visible_disc.glsl has it.
+double part_seen(double ground_m, double dark_m, double lit_m)
+{
+    if (ground_m >= lit_m)
+        return 1.0;
+    return ground_m < dark_m ? 0.0 : disc_above(2.0 * (lit_m - ground_m) / (lit_m - dark_m) - 1.0);
+}
+
+// Rays to points all over the sun's disc, equal parts of it each.
+class RaysToDisc {
+public:
+    RaysToDisc(const PlanetLevel& ground, const Vector3& to_sun, Angle radius)
+    {
+        constexpr int points = 40;
+        const LightAxis axis = light_axis(to_sun);
+        for (int i = 0; i < points; ++i) {
+            const double away = tangent(radius) * std::sqrt((i + 0.5) / points);
+            const double turn = 2.399963 * i; // the golden angle
+            rays_.emplace_back(ground, axis.to_sun
+                                           + (axis.across * std::cos(turn) + axis.aside * std::sin(turn)) * away);
+        }
+    }
+    double part_seen(const PlanetTile& tile, std::int32_t row, std::int32_t column) const
+    {
+        const auto lit = std::ranges::count_if(
+            rays_, [&](const PlanetRays& rays) { return is_lit(rays, tile, row, column); });
+        return static_cast<double>(lit) / static_cast<double>(rays_.size());
+    }
+
+private:
+    std::vector<PlanetRays> rays_;
+};
+
+TEST(PlanetShadows, OfADiscSeeAsMuchOfItAsRaysToAllOfItDo)
+{
+    const Angle radius = Angle::from_degrees(0.2666);
+    const PlanetTile middle = place_in_tile(kPlace, 6).tile;
+    const LocalFrame frame = local_frame(kWgs84, centre_direction(middle));
+    const Vector3 sun = frame.up * 0.05 + frame.east * 0.3 - frame.north * 0.9;
+    PlanetShadows shadows = PlanetShadows::of_disc(kWgs84, sun, radius);
+    PlanetShadows upper(kWgs84, sun, radius);
+    for (PlanetShadows* each : {&shadows, &upper}) {
+        for (const PlanetTile& tile : tiles_around_tile(middle, 2))
+            each->insert(tile, mountains().shared_heights_of(tile));
+        each->settle();
+    }
+    const RaysToDisc disc(mountains().at_level(6), sun, radius);
+    double error = 0.0;
+    double error_of_two_shadows = 0.0;
+    std::size_t half = 0;
+    for (const PlanetTile& tile : tiles_around_tile(middle, 1)) {
+        const auto shadow = shadows.shadow_of(tile);
+        for (std::int32_t row = 0; row <= kTileSquares && tile.level == 6; row += 2)
+            for (std::int32_t column = 0; column <= kTileSquares; ++column) {
+                const auto r = static_cast<std::size_t>(row);
+                const auto c = static_cast<std::size_t>(column);
+                const auto ground_m =
+                    static_cast<double>(mountains().heights_of(tile).height_m(row, column));
+                const auto lit_m = static_cast<double>(shadow->heights_m(r, c));
+                const double seen = part_seen(ground_m, static_cast<double>(shadow->dark_m(r, c)), lit_m);
+                if (seen == 0.0 || seen == 1.0)
+                    continue;
+                ++half;
+                const double truth = disc.part_seen(tile, row, column);
+                const auto upper_m = static_cast<double>(upper.shadow_of(tile)->heights_m(r, c));
+                error += std::abs(seen - truth);
+                error_of_two_shadows += std::abs(part_seen(ground_m, upper_m, lit_m) - truth);
+            }
+    }
+    ASSERT_GT(half, 100U);
+    EXPECT_LT(error / static_cast<double>(half), 0.09);
+    EXPECT_LT(error, 0.5 * error_of_two_shadows);
+    RecordProperty("half_shadow_samples", std::to_string(half));
+    RecordProperty("mean_error_of_two_shadows",
+                   std::to_string(error_of_two_shadows / static_cast<double>(half)));
+    RecordProperty("mean_error", std::to_string(error / static_cast<double>(half)));
 }
 
 bool same_shadows(const PlanetShadows& a, const PlanetShadows& b, const std::vector<PlanetTile>& tiles)
@@ -295,6 +416,138 @@ TEST(PlanetShadows, ShowANewSunOnlyWhenAllTilesHaveIt)
     expected.settle();
     EXPECT_TRUE(same_shadows(shadows, expected, tiles));
     EXPECT_EQ(shadows.update(5), 0U);
+}
+
+// A sun that moves at a steady pace over level 1, in as many frames a sun as budget and tiles make it.
+class MovingSun {
+public:
+    explicit MovingSun(double degrees_a_frame) : step_(degrees_a_frame), shadows_(kWgs84, sun_after(0.0))
+    {
+        insert(shadows_, tiles_of_level(1));
+        shadows_.settle();
+    }
+
+    void next_frame()
+    {
+        shadows_.set_sun(sun());
+        shadows_.update(5);
+        frame_ += 1.0;
+    }
+    void rest() { frame_ -= 1.0; }
+
+    Vector3 sun() const { return sun_after(frame_); }
+    Vector3 last_sun() const { return sun_after(frame_ - 1.0); }
+    PlanetShadows& shadows() { return shadows_; }
+
+    double degrees_behind() const
+    {
+        return Angle::from_radians(length(shadows_.shown_sun() - last_sun())).degrees();
+    }
+
+    // Of samples by daylight: those that rays to the sun that was set see otherwise.
+    Share wrong() const
+    {
+        const PlanetRays rays(mountains().at_level(1), last_sun());
+        Share share;
+        for (const PlanetTile& tile : tiles_of_level(1)) {
+            const ShownShadow shown = shadows_.shown(tile);
+            for (std::int32_t row = 0; row <= kTileSquares; row += 5)
+                for (std::int32_t column = 0; column <= kTileSquares; column += 5) {
+                    if (std::abs(dot(sample_direction(tile, row, column), last_sun())) > 0.2)
+                        continue;
+                    ++share.samples;
+                    const bool lit =
+                        static_cast<double>(mountains().heights_of(tile).height_m(row, column))
+                        >= shown_height_m(shown, static_cast<std::size_t>(row), static_cast<std::size_t>(column));
+                    share.wrong += lit != is_lit(rays, tile, row, column) ? 1U : 0U;
+                }
+        }
+        return share;
+    }
+
+private:
+    Vector3 sun_after(double frames) const
+    {
+        const auto [sine, cosine] = sine_cosine(Angle::from_degrees(step_ * frames));
+        return normalized(Vector3{0.8 * cosine, 0.8 * sine, 0.25});
+    }
+
+    static double shown_height_m(const ShownShadow& shown, std::size_t row, std::size_t column)
+    {
+        const auto first_m = static_cast<double>(shown.first->heights_m(row, column));
+        if (!shown.second)
+            return first_m;
+        return first_m + shown.share * (static_cast<double>(shown.second->heights_m(row, column)) - first_m);
+    }
+
+    double step_;
+    double frame_ = 0.0;
+    PlanetShadows shadows_;
+};
+
+TEST(PlanetShadows, AreThoseOfTheSunThatIsSetWhileItMovesSteadily)
+{
+    constexpr double degrees_a_frame = 0.1;
+    MovingSun moving(degrees_a_frame);
+    Share wrong;
+    for (int frame = 0; frame < 60; ++frame) {
+        moving.next_frame();
+        if (frame < 20)
+            continue;
+        // It is the nearest place of a straight way.
+        EXPECT_LT(moving.degrees_behind(), 0.05 * degrees_a_frame) << frame;
+        if (frame % 4 == 0) {
+            const Share now = moving.wrong();
+            wrong.samples += now.samples;
+            wrong.wrong += now.wrong;
+        }
+    }
+    EXPECT_GT(wrong.samples, 10000U);
+    EXPECT_LT(wrong.value(), 0.004) << wrong.wrong << " of " << wrong.samples;
+}
+
+TEST(PlanetShadows, AreThoseOfTheSunAloneWhenItStandsAgain)
+{
+    MovingSun moving(0.1);
+    for (int frame = 0; frame < 33; ++frame)
+        moving.next_frame();
+    const std::size_t tiles = tiles_of_level(1).size();
+    for (std::size_t frame = 0; frame <= tiles / 5 + 1; ++frame) {
+        moving.rest();
+        moving.next_frame();
+    }
+    EXPECT_TRUE(moving.shadows().settled()) << "what was computed ahead is given up";
+    PlanetShadows expected(kWgs84, moving.last_sun());
+    insert(expected, tiles_of_level(1));
+    expected.settle();
+    EXPECT_TRUE(same_shadows(moving.shadows(), expected, tiles_of_level(1)));
+    for (const PlanetTile& tile : tiles_of_level(1))
+        EXPECT_EQ(moving.shadows().shown(tile).second, nullptr);
+}
+
+TEST(PlanetShadows, FollowASunThatIsDraggedToAndFro)
+{
+    const std::vector<PlanetTile> tiles = tiles_of_level(1);
+    PlanetShadows shadows(kWgs84, kLowSun);
+    insert(shadows, tiles);
+    shadows.settle();
+    for_seeds(2, [&](Dice& dice) {
+        double x = 0.0;
+        for (int frame = 0; frame < 40; ++frame) {
+            x = std::clamp(x + dice.between(-0.01, 0.01), -0.05, 0.05);
+            shadows.set_sun(kLowSun + Vector3{x, 0.0, 0.0});
+            shadows.update(4);
+            // Within the suns it has been at.
+            EXPECT_LT(length(shadows.shown_sun() - normalized(kLowSun)), 0.09);
+            for (const PlanetTile& tile : tiles)
+                ASSERT_NE(shadows.shown(tile).first, nullptr);
+        }
+        shadows.settle();
+        PlanetShadows expected(kWgs84, kLowSun + Vector3{x, 0.0, 0.0});
+        insert(expected, tiles);
+        expected.settle();
+        EXPECT_TRUE(same_shadows(shadows, expected, tiles));
+    });
 }
 
 TEST(PlanetShadows, AnswerTilesThatComeWhileTheSunMovesOn)

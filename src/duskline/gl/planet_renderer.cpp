@@ -13,7 +13,7 @@ namespace duskline::gl {
 
 namespace {
 
-enum Unit : int { heights, measured, shadow_heights };
+enum Unit : int { heights, measured, shadows, second_shadows };
 
 constexpr double kNearest_m = 0.1;
 
@@ -39,7 +39,8 @@ struct TileOnCard {
     std::array<std::int32_t, 2> in_parent;
     std::int32_t has_shadow;
     std::int32_t parent_has_shadow;
-    std::array<std::int32_t, 2> unused;
+    float second_shadow;
+    float parent_second_shadow;
 };
 static_assert(sizeof(TileOnCard) == 96);
 
@@ -157,8 +158,10 @@ const Program& PlanetRenderer::ground_program(const PlanetLight& light, const Pl
     std::vector<ShaderDefine> defines;
     if (shadow.map != nullptr)
         defines = shadow.map->defines();
-    const char* kind = shadow.map != nullptr ? "1" : shadow.heights_of ? "2" : "0";
+    const char* kind = shadow.map != nullptr ? "1" : shadow.shadows_of ? "2" : "0";
     defines.push_back({"PLANET_SHADOW", kind});
+    if (shadow.shadows_of && shadow.map == nullptr)
+        defines.push_back({"PLANET_DISC", shadow.of_disc ? "1" : "0"});
     defines.push_back({"PLANET_LAMPS", light.lamps != nullptr && !light.lamps->lamps().empty() ? "1" : "0"});
     defines.push_back({"PLANET_PROBE", asked.probe});
     std::vector<std::string> key;
@@ -177,8 +180,8 @@ void PlanetRenderer::hold(std::span<const PlanetPatch> patches, const PlanetShad
 {
     const std::vector<PlanetTile> tiles = tiles_needed(patches);
     textures_.hold(tiles);
-    if (shadow.heights_of && shadow.map == nullptr)
-        textures_.hold_shadows(tiles, shadow.heights_of);
+    if (shadow.shadows_of && shadow.map == nullptr)
+        textures_.hold_shadows(tiles, shadow.shadows_of, shadow.of_disc);
 }
 
 void PlanetRenderer::upload_tiles(const Vector3& eye_m, std::span<const PlanetPatch> patches)
@@ -205,8 +208,10 @@ void PlanetRenderer::upload_tiles(const Vector3& eye_m, std::span<const PlanetPa
         here.parent_layer = parent.index;
         here.in_parent = {static_cast<std::int32_t>(tile.column % 2) * kTileSquares / 2,
                           static_cast<std::int32_t>(tile.row % 2) * kTileSquares / 2};
-        here.has_shadow = own.shadow_heights_m ? 1 : 0;
-        here.parent_has_shadow = parent.shadow_heights_m ? 1 : 0;
+        here.has_shadow = own.has_shadow() ? 1 : 0;
+        here.parent_has_shadow = parent.has_shadow() ? 1 : 0;
+        here.second_shadow = own.share_of_second;
+        here.parent_second_shadow = parent.share_of_second;
         on_card.push_back(here);
     }
     tiles_.upload(on_card);
@@ -219,10 +224,13 @@ void PlanetRenderer::set_surface(const Program& program) const
     program.set("equatorial_radius_m", static_cast<float>(globe_.equatorial_radius_m));
     textures_.heights().bind(Unit::heights);
     textures_.measured().bind(Unit::measured);
-    textures_.shadow_heights().bind(Unit::shadow_heights);
+    for (std::size_t i = 0; i < 2; ++i)
+        if (const TextureArray* array = textures_.shadows(i))
+            array->bind(static_cast<unsigned int>(Unit::shadows) + static_cast<unsigned int>(i));
     program.set("planet_heights_m", static_cast<int>(Unit::heights));
     program.set("planet_measured", static_cast<int>(Unit::measured));
-    program.set("planet_shadow_heights_m", static_cast<int>(Unit::shadow_heights));
+    program.set("planet_shadows_m", static_cast<int>(Unit::shadows));
+    program.set("planet_second_shadows_m", static_cast<int>(Unit::second_shadows));
     tiles_.bind_as_storage(0);
 }
 

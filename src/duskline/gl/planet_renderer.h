@@ -42,10 +42,11 @@ struct PlanetView {
     bool show_made = false; ///< mark ground that no file has measured
 };
 
-/// Where the shadows of a picture come from: a shadow map, else shadow heights, else nowhere: then only ground that faces
-/// away from the sun is dark.
+/// Where the shadows of a picture come from: a shadow map, else shadow heights of tiles, else nowhere: then only ground that
+/// faces away from the sun is dark.
 struct PlanetShadow {
-    ShadowHeightsOf heights_of = {};
+    TileShadowsOf shadows_of = {};
+    bool of_disc = false;           ///< these have two heights each, between which the sun's disc is seen in part
     const ShadowMap* map = nullptr; ///< brought up to date for this view and sun, its casters by `draw_depth`
     ShadowMapLook look = {};        ///< of the map
 };
@@ -59,7 +60,7 @@ struct DrawnPlanet {
 /// Draws planets: a mesh of tiles, everything relative to the eye so that a step and a planet fit into one picture, under
 /// a sun and a sky.
 ///
-/// Draw into a Framebuffer with depth32f (see gl/reversed_depth.h). Takes texture units 0 to 2 and shader storage 0, with a
+/// Draw into a Framebuffer with depth32f (see gl/reversed_depth.h). Takes texture units 0 to 3 and shader storage 0, with a
 /// shadow map or lamps those of them too, and leaves its own there.
 class PlanetRenderer {
 public:
@@ -92,7 +93,7 @@ public:
     DrawnPlanet draw_depth(const Vector3& eye_m, const Matrix4& to_clip,
                            std::span<const PlanetPatch> patches);
 
-    /// Layers that there is room for on the card, some 160 KB each.
+    /// Layers that there is room for on the card (see PlanetTextures for what they take).
     std::size_t layers() const { return textures_.layers(); }
 
     /// To be called when a tile's heights have changed.

@@ -11,12 +11,22 @@ namespace {
 
 constexpr std::size_t kCorners = kTileSquares + 1;
 
+// Between the first height and the second a disc is seen in part.
+Grid<std::array<float, 2>> both_heights_m(const TileShadow& shadow)
+{
+    Grid<std::array<float, 2>> both(kCorners, kCorners);
+    const auto dark_m = shadow.dark_m.values();
+    const auto heights_m = shadow.heights_m.values();
+    for (std::size_t i = 0; i < both.size(); ++i)
+        both.values()[i] = {dark_m[i], heights_m[i]};
+    return both;
+}
+
 } // namespace
 
 PlanetTextures::PlanetTextures(HeightsOf heights_of, std::size_t layers)
     : heights_of_(std::move(heights_of)), heights_(TextureFormat::r32f, kTileStored, kTileStored, layers),
-      measured_(TextureFormat::r8, kTileStored, kTileStored, layers),
-      shadow_heights_(TextureFormat::r32f, kCorners, kCorners, layers)
+      measured_(TextureFormat::r8, kTileStored, kTileStored, layers)
 {}
 
 void PlanetTextures::make_room(std::size_t tiles)
@@ -73,17 +83,48 @@ void PlanetTextures::hold(std::span<const PlanetTile> tiles)
             load(tile);
 }
 
-void PlanetTextures::hold_shadows(std::span<const PlanetTile> tiles, const ShadowHeightsOf& shadow_heights_of)
+void PlanetTextures::hold_shadows(std::span<const PlanetTile> tiles, const TileShadowsOf& shadows_of,
+                                  bool of_disc)
 {
-    for (const PlanetTile& tile : tiles) {
-        Layer& layer = slots_.at(tile).layer;
-        std::shared_ptr<const Grid<float>> heights_m = shadow_heights_of(tile);
-        if (heights_m == layer.shadow_heights_m)
-            continue;
-        if (heights_m)
-            shadow_heights_.upload(heights_m->view(), static_cast<std::size_t>(layer.index));
-        layer.shadow_heights_m = std::move(heights_m);
+    if (of_disc != of_disc_) {
+        of_disc_ = of_disc;
+        shadows_ = {};
+        for (auto& [tile, slot] : slots_)
+            slot.layer.shadows = {};
     }
+    for (const PlanetTile& tile : tiles)
+        hold_shadow(slots_.at(tile).layer, shadows_of(tile));
+}
+
+// What is there already stays in its place: of two suns that are shown the second is soon the first.
+void PlanetTextures::hold_shadow(Layer& layer, const ShownShadow& shown)
+{
+    const bool exchanged = (shown.first && layer.shadows[1] == shown.first)
+                           || (shown.second && layer.shadows[0] == shown.second);
+    const std::size_t first = exchanged ? 1 : 0;
+    put_shadow(layer, first, shown.first);
+    if (shown.second || !shown.first)
+        put_shadow(layer, 1 - first, shown.second);
+    const auto share = shown.second ? static_cast<float>(shown.share) : 0.0f;
+    layer.share_of_second = exchanged ? 1.0f - share : share;
+}
+
+void PlanetTextures::put_shadow(Layer& layer, std::size_t slot,
+                                const std::shared_ptr<const TileShadow>& shadow)
+{
+    if (layer.shadows.at(slot) == shadow)
+        return;
+    layer.shadows.at(slot) = shadow;
+    if (!shadow)
+        return;
+    std::optional<TextureArray>& array = shadows_.at(slot);
+    if (!array)
+        array.emplace(of_disc_ ? TextureFormat::rg32f : TextureFormat::r32f, kCorners, kCorners, layers());
+    const auto index = static_cast<std::size_t>(layer.index);
+    if (of_disc_)
+        array->upload(both_heights_m(*shadow).view(), index);
+    else
+        array->upload(shadow->heights_m.view(), index);
 }
 
 } // namespace duskline::gl

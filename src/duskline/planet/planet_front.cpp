@@ -15,6 +15,9 @@
 // direction on the face, for all its way over it. Samples on edges over which light enters are the neighbour's and are copied;
 // a sample on another edge may have only one beam beside it, and has a beam of its own.
 //
+// Of a disc three numbers a beam: the farthest ground from the axes of its lower and of its upper edge, and how far from the
+// upper edge's axis the ground is that is farthest from the lower edge's. Both axes have the same half-planes.
+//
 // After Timonen and Westerholm, Scalable Height Field Self-Shadowing, 2010 (a height carried along the light) as in
 // casting/sweep; here it is carried about the axis of a globe.
 
@@ -171,34 +174,77 @@ private:
     Grid<double> norm_;
 };
 
-// A beam over a tile: its cell, and its distance from the axis at depth 1, are straight functions of the line.
+// What a beam has met, as far from an axis as it is. At depth 1 the beam's own distance from it is a straight function of the line.
+struct Reach {
+    double part0 = 0.0;
+    double part_per_line = 0.0;
+    double rho_m = kNotPassed;
+
+    double part_at(double line) const { return part0 + line * part_per_line; }
+    double roof_at(double line) const { return rho_m / part_at(line); }
+};
+
+// What a beam, or one between two, has over a sample: light passes at a place (1, x, y) times it.
+struct Roofs {
+    double lower = 0.0;
+    double upper = 0.0;
+    double upper_of_same = 0.0;
+};
+
+// A beam over a tile; its cell is a straight function of the line.
 struct Beam {
     double cell0;
     double cells_per_line;
-    double part0;
-    double part_per_line;
-    double rho_m = kNotPassed;
+    Reach lower;         // of the one axis, or that of the disc's lower edge
+    Reach upper;         // of that of its upper edge
+    Reach upper_of_same; // and of the ground that `lower` is of
     double turn;
     Vector3 outward;
+    bool of_disc;       // else there is no upper edge
     bool lends = false; // only stands beside beams of this pass and belongs to another
 
-    Beam(const LineFrame& frame, const PlanetTile& tile, const Vector3& outward_of_beam, double turn_of_beam)
-        : turn(turn_of_beam), outward(outward_of_beam)
+    Beam(const LineFrame& frame, const LightAxis* upper_axis, const PlanetTile& tile,
+         const Vector3& outward_of_beam, double turn_of_beam)
+        : turn(turn_of_beam), outward(outward_of_beam), of_disc(upper_axis != nullptr)
     {
         const BeamLine way(frame.sun, on_face(outward, tile.face, frame.lines));
         const double x0 = way.x_at(frame.first_y);
         cell0 = (x0 - frame.first_x) / frame.step;
         cells_per_line = way.dx / way.dy;
         const FaceVector& sun = frame.sun;
-        part0 = frame.axis.from_raised_axis(sun.ahead + sun.x * x0 + sun.y * frame.first_y,
-                                            way.axis_part(x0, frame.first_y));
-        part_per_line = frame.axis.from_raised_axis(sun.x * cells_per_line + sun.y,
-                                                    way.outward.x * cells_per_line + way.outward.y)
-                        * frame.step;
+        const auto reach_from = [&](const LightAxis& axis) {
+            return Reach{axis.from_raised_axis(sun.ahead + sun.x * x0 + sun.y * frame.first_y,
+                                               way.axis_part(x0, frame.first_y)),
+                         axis.from_raised_axis(sun.x * cells_per_line + sun.y,
+                                               way.outward.x * cells_per_line + way.outward.y)
+                             * frame.step};
+        };
+        lower = reach_from(frame.axis);
+        if (of_disc)
+            upper = upper_of_same = reach_from(*upper_axis);
     }
 
     double cell_at(double line) const { return cell0 + line * cells_per_line; }
-    double part_at(double line) const { return part0 + line * part_per_line; }
+
+    // Ground on a line, by the inverse of its depth.
+    void meet(double line, double inverse_depth)
+    {
+        const double rho_m = lower.part_at(line) / inverse_depth;
+        if (of_disc) {
+            const double upper_rho_m = upper.part_at(line) / inverse_depth;
+            if (rho_m > lower.rho_m)
+                upper_of_same.rho_m = upper_rho_m;
+            upper.rho_m = std::max(upper.rho_m, upper_rho_m);
+        }
+        lower.rho_m = std::max(lower.rho_m, rho_m);
+    }
+
+    Roofs roofs_at(double line) const
+    {
+        if (!of_disc)
+            return {lower.roof_at(line)};
+        return {lower.roof_at(line), upper.roof_at(line), upper_of_same.roof_at(line)};
+    }
 };
 
 // Beams of a tile by their numbers, in steps of 2^-log2 turns.
@@ -217,9 +263,9 @@ struct BeamRange {
 // One tile: its beams, the pass over its lines, and the answers on the way.
 class TileCast {
 public:
-    TileCast(const Globe& globe, const LightAxis& axis, const PlanetTile& tile, const TileHeights& heights,
-             const EnteringLight& entering)
-        : globe_(globe), axis_(axis), tile_(tile), heights_(heights), entering_(entering)
+    TileCast(const Globe& globe, const LightAxis& axis, const LightAxis* upper, const PlanetTile& tile,
+             const TileHeights& heights, const EnteringLight& entering)
+        : globe_(globe), axis_(axis), upper_(upper), tile_(tile), heights_(heights), entering_(entering)
     {
         for (const TileEdge edge : kTileEdges)
             enters_.at(static_cast<std::size_t>(edge)) = light_enters(axis, tile, edge);
@@ -228,8 +274,12 @@ public:
     TileShadow run()
     {
         beams_ = beams_of_tile();
-        shadow_.leaving = {beams_.log2, beams_.first,
-                           std::vector<double>(static_cast<std::size_t>(beams_.count), kNotPassed)};
+        const std::vector<double> none(static_cast<std::size_t>(beams_.count), kNotPassed);
+        shadow_.leaving = {beams_.log2, beams_.first, none};
+        if (upper_ != nullptr) {
+            shadow_.leaving.upper_m = shadow_.leaving.upper_of_same_m = none;
+            shadow_.dark_m = Grid<float>(kSamples, kSamples);
+        }
         fill_for_no_beam();
         for (const LinesAlong lines : {LinesAlong::u, LinesAlong::v}) {
             const LineFrame frame(axis_, tile_, lines);
@@ -259,8 +309,9 @@ private:
     {
         const bool day = dot(centre_direction(tile_), axis_.to_sun) > 0.0;
         const auto nothing_m = static_cast<float>(-globe_.equatorial_radius_m);
-        std::fill(shadow_.heights_m.values().begin(), shadow_.heights_m.values().end(),
-                  day ? nothing_m : kDeepNight_m);
+        for (Grid<float>* const heights_m : {&shadow_.heights_m, &shadow_.dark_m})
+            std::fill(heights_m->values().begin(), heights_m->values().end(),
+                      day ? nothing_m : kDeepNight_m);
     }
 
     // Whether light over some of the tile crosses more lines than cells. A corner then does, or the axis is in the tile.
@@ -360,7 +411,7 @@ private:
         if (first == last)
             return beams;
         for (std::int64_t i = first - 1; i <= last; ++i) {
-            beams.emplace_back(frame, tile_, outward_at(axis_, beams_.turn(i)), beams_.turn(i));
+            beams.emplace_back(frame, upper_, tile_, outward_at(axis_, beams_.turn(i)), beams_.turn(i));
             beams.back().lends = i < first || i == last;
         }
         // In the order of their cells, on a line where they are apart: they come from the sun, or meet opposite it.
@@ -403,8 +454,8 @@ private:
     void come_to(const LineFrame& frame, const LineSurface& surface, Beam& beam, std::int32_t line,
                  int direction) const
     {
-        if (beam.rho_m < 0.0)
-            beam.rho_m = entering_rho_m(frame, beam, line, direction);
+        if (beam.lower.rho_m < 0.0)
+            enter(frame, beam, line, direction);
         if (line == (direction > 0 ? 0 : kLast))
             return;
         const double cell = beam.cell_at(line);
@@ -417,17 +468,15 @@ private:
             return;
         const double at = (between - beam.cell0) / beam.cells_per_line;
         const double ahead = (line - at) * direction; // at a sample of the line it is ground of the line
-        const double part = beam.part_at(at);
-        if (ahead > kEdgeSlack && ahead <= 1.0 && at >= 0.0 && at <= kLast && part > 0.0)
-            beam.rho_m =
-                std::max(beam.rho_m, part / surface.across_lines(at, static_cast<std::size_t>(between)));
+        if (ahead > kEdgeSlack && ahead <= 1.0 && at >= 0.0 && at <= kLast && beam.lower.part_at(at) > 0.0)
+            beam.meet(at, surface.across_lines(at, static_cast<std::size_t>(between)));
     }
 
     static void cross(const LineSurface& surface, Beam& beam, std::int32_t line, double cell)
     {
         const double ground = surface.on_line(static_cast<std::size_t>(line),
                                               std::clamp(cell, 0.0, static_cast<double>(kLast)));
-        beam.rho_m = std::max(beam.rho_m, beam.part_at(line) / ground);
+        beam.meet(line, ground);
     }
 
     void keep_leaving(const std::vector<Beam>& beams)
@@ -436,8 +485,13 @@ private:
         for (const Beam& beam : beams) {
             if (beam.lends)
                 continue;
-            const std::int64_t i = std::llround(beam.turn * scale) - beams_.first;
-            shadow_.leaving.rho_m[static_cast<std::size_t>(i % beams_.count)] = beam.rho_m;
+            const std::int64_t number = std::llround(beam.turn * scale) - beams_.first;
+            const auto i = static_cast<std::size_t>(number % beams_.count);
+            shadow_.leaving.rho_m[i] = beam.lower.rho_m;
+            if (upper_ == nullptr)
+                continue;
+            shadow_.leaving.upper_m[i] = beam.upper.rho_m;
+            shadow_.leaving.upper_of_same_m[i] = beam.upper_of_same.rho_m;
         }
     }
 
@@ -460,29 +514,47 @@ private:
             while (right < cells.size() && cells[right] <= cell)
                 ++right;
             const bool between = right > 0 && right < cells.size();
-            const double roof = between ? roof_between(beams, cells, right, line, cell)
-                                        : roof_of_own_beam(frame, surface, line, cell, direction);
-            const float height_m = surface.shadow_height_m(l, c, roof);
-            (frame.lines == LinesAlong::u ? shadow_.heights_m(l, c) : shadow_.heights_m(c, l)) = height_m;
+            const Roofs roofs = between ? roofs_between(beams, cells, right, line, cell)
+                                        : own_beam(frame, surface, line, cell, direction).roofs_at(line);
+            const bool rows = frame.lines == LinesAlong::u;
+            put(surface, roofs, l, c, rows ? SampleIndex{l, c} : SampleIndex{c, l});
         }
     }
 
-    static double roof_between(std::span<const Beam> beams, std::span<const double> cells, std::size_t right,
+    // Of a disc the first height is that of the upper edge where the ground is in full shadow, else what the same ground that
+    // hides the lower edge does to the upper one: between two heights made by different ground there is no half-shadow.
+    void put(const LineSurface& surface, const Roofs& roofs, std::size_t line, std::size_t cell,
+             SampleIndex sample)
+    {
+        shadow_.heights_m(sample.row, sample.column) = surface.shadow_height_m(line, cell, roofs.lower);
+        if (upper_ == nullptr)
+            return;
+        const float upper_m = surface.shadow_height_m(line, cell, roofs.upper);
+        const float ground_m = heights_.height_m(static_cast<std::int32_t>(sample.row),
+                                                 static_cast<std::int32_t>(sample.column));
+        shadow_.dark_m(sample.row, sample.column) =
+            upper_m > ground_m ? upper_m
+                               : std::min(upper_m, surface.shadow_height_m(line, cell, roofs.upper_of_same));
+    }
+
+    static Roofs roofs_between(std::span<const Beam> beams, std::span<const double> cells, std::size_t right,
                                std::int32_t line, std::int32_t cell)
     {
-        const double low = beams[right - 1].rho_m / beams[right - 1].part_at(line);
-        const double high = beams[right].rho_m / beams[right].part_at(line);
-        return low + (cell - cells[right - 1]) / (cells[right] - cells[right - 1]) * (high - low);
+        const Roofs low = beams[right - 1].roofs_at(line);
+        const Roofs high = beams[right].roofs_at(line);
+        const double share = (cell - cells[right - 1]) / (cells[right] - cells[right - 1]);
+        return {low.lower + share * (high.lower - low.lower), low.upper + share * (high.upper - low.upper),
+                low.upper_of_same + share * (high.upper_of_same - low.upper_of_same)};
     }
 
     // A beam through the sample itself, from where it enters the tile.
-    double roof_of_own_beam(const LineFrame& frame, const LineSurface& surface, std::int32_t line,
-                            std::int32_t cell, int direction) const
+    Beam own_beam(const LineFrame& frame, const LineSurface& surface, std::int32_t line, std::int32_t cell,
+                  int direction) const
     {
         const FacePlace place = frame.place(line, cell);
         const Vector3 sample = direction_of(tile_.face, place);
         const double turn = turn_of(axis_, sample);
-        Beam beam(frame, tile_, outward_at(axis_, turn), turn);
+        Beam beam(frame, upper_, tile_, outward_at(axis_, turn), turn);
         const auto is_over = [&](std::int32_t at) {
             const double c = beam.cell_at(at);
             return at >= 0 && at <= kLast && frame.sun_across_lines(at) * direction < 0.0 && c >= -kEdgeSlack
@@ -496,53 +568,81 @@ private:
             cross(surface, beam, at, beam.cell_at(at));
         }
         come_to(frame, surface, beam, line, direction);
-        return beam.rho_m / beam.part_at(line);
+        return beam;
     }
 
     // --- light that enters
 
-    // What a beam has met before `line`, the first that it crosses.
-    double entering_rho_m(const LineFrame& frame, const Beam& beam, std::int32_t line, int direction) const
+    // A beam has then what it has met before `line`, the first that it crosses.
+    void enter(const LineFrame& frame, Beam& beam, std::int32_t line, int direction) const
     {
-        if (line == (direction > 0 ? 0 : kLast))
-            return rho_over_edge_m(frame.edge_of_lines(direction < 0), beam,
-                                   frame.place(line, std::clamp(beam.cell_at(line), 0.0, 1.0 * kLast)));
+        if (line == (direction > 0 ? 0 : kLast)) {
+            enter_over(frame.edge_of_lines(direction < 0), beam,
+                       frame.place(line, std::clamp(beam.cell_at(line), 0.0, 1.0 * kLast)));
+            return;
+        }
         // Between this line and the one before, or the axis if that is nearer.
         double before = line - direction;
         if (!(frame.sun_across_lines(before) * direction < 0.0))
             before = (frame.sun.y / frame.sun.ahead - frame.first_y) / frame.step;
         const double cell_before = beam.cell_at(before);
-        if (cell_before >= -kEdgeSlack && cell_before <= kLast + kEdgeSlack)
-            return 0.0; // begins in the tile, under the sun
+        if (cell_before >= -kEdgeSlack && cell_before <= kLast + kEdgeSlack) {
+            begin_with(beam, 0.0, 0.0, 0.0); // in the tile, under the sun
+            return;
+        }
         const bool highest = cell_before > kLast;
         const double edge_cell = highest ? kLast : 0.0;
         const double edge_line = std::clamp((edge_cell - beam.cell0) / beam.cells_per_line, 0.0, 1.0 * kLast);
-        return rho_over_edge_m(frame.edge_of_cells(highest), beam, frame.place(edge_line, edge_cell));
+        enter_over(frame.edge_of_cells(highest), beam, frame.place(edge_line, edge_cell));
     }
 
-    double rho_over_edge_m(TileEdge edge, const Beam& beam, FacePlace place) const
+    void begin_with(Beam& beam, double lower_m, double upper_m, double upper_of_same_m) const
     {
-        if (const TileShadow* const neighbour = neighbour_across(edge))
-            return neighbour->leaving.rho_at(beam.turn);
+        beam.lower.rho_m = lower_m;
+        if (upper_ == nullptr)
+            return;
+        beam.upper.rho_m = upper_m;
+        beam.upper_of_same.rho_m = upper_of_same_m;
+    }
+
+    void enter_over(TileEdge edge, Beam& beam, FacePlace place) const
+    {
+        if (const TileShadow* const neighbour = neighbour_across(edge)) {
+            const LeavingFront& front = neighbour->leaving;
+            begin_with(beam, front.rho_at(beam.turn), front.upper_at(beam.turn),
+                       front.upper_of_same_at(beam.turn));
+            return;
+        }
+        const double lower_m = rho_over_edge_m(axis_, &TileShadow::heights_m, beam, place);
+        const double upper_m =
+            upper_ != nullptr ? rho_over_edge_m(*upper_, &TileShadow::dark_m, beam, place) : 0.0;
+        begin_with(beam, lower_m, upper_m, upper_m);
+    }
+
+    // Where no neighbour knows.
+    double rho_over_edge_m(const LightAxis& axis, Grid<float> TileShadow::*heights_m, const Beam& beam,
+                           FacePlace place) const
+    {
         const Vector3 direction = direction_of(tile_.face, place);
         const double sine =
-            axis_.from_raised_axis(dot(direction, axis_.to_sun), dot(direction, beam.outward));
+            axis.from_raised_axis(dot(direction, axis.to_sun), dot(direction, beam.outward));
         if (entering_.ancestor != nullptr) // floats: where nothing has been met, a little below the centre
-            return std::max(0.0, base_radius_m(globe_, direction) + ancestor_height_m(place)) * sine;
-        if (dot(direction, axis_.to_sun) > 0.0)
+            return std::max(0.0, base_radius_m(globe_, direction) + ancestor_height_m(heights_m, place))
+                   * sine;
+        if (dot(direction, axis.to_sun) > 0.0)
             return 0.0;
-        return bare_rho_m(beam.outward);
+        return bare_rho_m(axis, beam.outward);
     }
 
     // How far the bare globe reaches from the axis.
-    double bare_rho_m(const Vector3& outward) const
+    double bare_rho_m(const LightAxis& axis, const Vector3& outward) const
     {
-        const Vector3 sun = axis_.to_sun * axis_.raised_cosine + outward * axis_.raised_sine;
-        const Vector3 away = outward * axis_.raised_cosine - axis_.to_sun * axis_.raised_sine;
+        const Vector3 sun = axis.to_sun * axis.raised_cosine + outward * axis.raised_sine;
+        const Vector3 away = outward * axis.raised_cosine - axis.to_sun * axis.raised_sine;
         return LightSection(globe_, sun, away).greatest_rho_m();
     }
 
-    double ancestor_height_m(FacePlace place) const
+    double ancestor_height_m(Grid<float> TileShadow::*which, FacePlace place) const
     {
         const FacePlace first = sample_place(entering_.ancestor_tile, 0, 0);
         const double step =
@@ -551,7 +651,7 @@ private:
         const double column = std::clamp((place.u - first.u) / step, 0.0, 1.0 * kLast);
         const auto r = std::min(static_cast<std::size_t>(row), kSamples - 2);
         const auto c = std::min(static_cast<std::size_t>(column), kSamples - 2);
-        const Grid<float>& heights_m = entering_.ancestor->heights_m;
+        const Grid<float>& heights_m = entering_.ancestor->*which;
         const auto at = [&](std::size_t i, std::size_t k) { return static_cast<double>(heights_m(i, k)); };
         const double down = row - static_cast<double>(r);
         const double right = column - static_cast<double>(c);
@@ -561,37 +661,46 @@ private:
 
     void copy_edge(TileEdge edge)
     {
+        copy_edge(edge, axis_, &TileShadow::heights_m);
+        if (upper_ != nullptr)
+            copy_edge(edge, *upper_, &TileShadow::dark_m);
+    }
+
+    void copy_edge(TileEdge edge, const LightAxis& axis, Grid<float> TileShadow::*heights_m)
+    {
         const TileShadow* const shadow = neighbour_across(edge);
         const TileNeighbour neighbour = neighbour_of(tile_, edge);
         for (std::size_t i = 0; i < kSamples; ++i) {
             const SampleIndex own = sample_on(edge, i);
             const SampleIndex other = sample_on(neighbour.edge, neighbour.reversed ? kTileSquares - i : i);
-            shadow_.heights_m(own.row, own.column) = shadow != nullptr
-                                                         ? shadow->heights_m(other.row, other.column)
-                                                         : height_without_neighbour_m(own);
+            (shadow_.*heights_m)(own.row, own.column) =
+                shadow != nullptr ? (shadow->*heights_m)(other.row, other.column)
+                                  : height_without_neighbour_m(axis, heights_m, own);
         }
     }
 
-    float height_without_neighbour_m(SampleIndex sample) const
+    float height_without_neighbour_m(const LightAxis& axis, Grid<float> TileShadow::*heights_m,
+                                     SampleIndex sample) const
     {
         const FacePlace place =
             sample_place(tile_, static_cast<double>(sample.row), static_cast<double>(sample.column));
         if (entering_.ancestor != nullptr)
-            return static_cast<float>(ancestor_height_m(place));
+            return static_cast<float>(ancestor_height_m(heights_m, place));
         const Vector3 direction = direction_of(tile_.face, place);
-        if (dot(direction, axis_.to_sun) > 0.0)
+        if (dot(direction, axis.to_sun) > 0.0)
             return static_cast<float>(-globe_.equatorial_radius_m);
-        const Vector3 away = direction - axis_.to_sun * dot(direction, axis_.to_sun);
+        const Vector3 away = direction - axis.to_sun * dot(direction, axis.to_sun);
         const double across = std::max(length(away), 1e-9);
-        const double sine = axis_.from_raised_axis(dot(direction, axis_.to_sun), across);
+        const double sine = axis.from_raised_axis(dot(direction, axis.to_sun), across);
         if (!(sine > 0.0))
             return kDeepNight_m;
-        const double rho_m = bare_rho_m(away * (1.0 / across));
+        const double rho_m = bare_rho_m(axis, away * (1.0 / across));
         return std::min(static_cast<float>(rho_m / sine - base_radius_m(globe_, direction)), kDeepNight_m);
     }
 
     const Globe& globe_;
     const LightAxis& axis_;
+    const LightAxis* upper_; // of the upper edge of a disc; else null
     const PlanetTile& tile_;
     const TileHeights& heights_;
     const EnteringLight& entering_;
@@ -602,11 +711,11 @@ private:
 
 } // namespace
 
-double LeavingFront::rho_at(double turn) const
+double LeavingFront::between_beams(const std::vector<double>& all_m, double turn) const
 {
-    if (rho_m.empty())
+    if (all_m.empty())
         return 0.0;
-    const auto count = static_cast<std::int64_t>(rho_m.size());
+    const auto count = static_cast<std::int64_t>(all_m.size());
     const double beams = std::ldexp(1.0, static_cast<int>(beams_log2));
     double at = std::ldexp(turn, static_cast<int>(beams_log2)) - static_cast<double>(first);
     at -= std::floor(at / beams) * beams;
@@ -615,8 +724,8 @@ double LeavingFront::rho_at(double turn) const
     const auto low = static_cast<std::int64_t>(std::floor(at));
     const auto passed = [&](std::int64_t i) {
         const std::int64_t k = static_cast<double>(count) == beams ? (i + count) % count : i;
-        return k >= 0 && k < count && rho_m[static_cast<std::size_t>(k)] >= 0.0
-                   ? std::optional(rho_m[static_cast<std::size_t>(k)])
+        return k >= 0 && k < count && all_m[static_cast<std::size_t>(k)] >= 0.0
+                   ? std::optional(all_m[static_cast<std::size_t>(k)])
                    : std::nullopt;
     };
     const double share = at - static_cast<double>(low);
@@ -684,7 +793,13 @@ LightRank light_rank(const LightAxis& axis, const PlanetTile& tile)
 TileShadow cast_on_tile(const Globe& globe, const LightAxis& axis, const PlanetTile& tile,
                         const TileHeights& heights, const EnteringLight& entering)
 {
-    return TileCast(globe, axis, tile, heights, entering).run();
+    return TileCast(globe, axis, nullptr, tile, heights, entering).run();
+}
+
+TileShadow cast_on_tile(const Globe& globe, const DiscAxes& axes, const PlanetTile& tile,
+                        const TileHeights& heights, const EnteringLight& entering)
+{
+    return TileCast(globe, axes.lower, &axes.upper, tile, heights, entering).run();
 }
 
 } // namespace duskline

@@ -15,23 +15,40 @@ namespace duskline {
 /// What light has met when it leaves a tile: for every beam that passed the tile, how far from the light's axis the farthest
 /// ground is that it has met anywhere on its way. Beams are the half-planes about the axis at turns of n / 2^beams_log2, the
 /// same on every tile.
+///
+/// Light of a disc has met ground for both edges of it: `rho_m` is from the axis of the lower edge, `upper_m` from that of the
+/// upper one, and `upper_of_same_m` how far from the upper edge's axis the ground is that `rho_m` is of.
 struct LeavingFront {
     std::uint32_t beams_log2 = 0; ///< of the beams in a whole turn
     std::int64_t first = 0;       ///< n of the first beam; any multiple of a whole turn off
     std::vector<double> rho_m =
         {}; ///< of that beam and the following; below 0 where one did not pass after all
+    std::vector<double> upper_m = {}; ///< of a disc; else empty
+    std::vector<double> upper_of_same_m = {};
 
     /// Between beams straight from one to the next; just beside them that of the nearest; 0 where there are none.
-    double rho_at(double turn) const;
+    double rho_at(double turn) const { return between_beams(rho_m, turn); }
+    double upper_at(double turn) const { return between_beams(upper_m, turn); }
+    double upper_of_same_at(double turn) const { return between_beams(upper_of_same_m, turn); }
+
+    bool operator==(const LeavingFront&) const = default;
+
+private:
+    double between_beams(const std::vector<double>& all_m, double turn) const;
 };
 
 /// The shadow heights of a tile's samples, and the front that its neighbours on the night's side begin with.
 struct TileShadow {
     /// Metres above the ellipsoid, sample (row, column) of 0 to kTileSquares; never NaN or infinite. A point is in shadow when
     /// it lies lower. Where nothing stands towards the sun it is some thousand kilometres under the ground; deep at night
-    /// at most kDeepNight_m.
+    /// at most kDeepNight_m. Of light of a disc: the shadow of its lower edge, above which all of it is seen.
     Grid<float> heights_m{kTileSquares + 1, kTileSquares + 1};
-    LeavingFront leaving;
+
+    /// Of light of a disc, else empty: from here to `heights_m` more and more of it is seen. Where the ground lies in full shadow it
+    /// is the shadow of the disc's upper edge; elsewhere what the ground that hides the lower edge does to the upper one,
+    /// which is never higher.
+    Grid<float> dark_m = {};
+    LeavingFront leaving = {};
 };
 
 inline constexpr float kDeepNight_m = 1e8F;
@@ -71,6 +88,17 @@ struct EnteringLight {
 /// shadow. `heights` are used from sample 0 to kTileSquares. Depends on its arguments alone. A millisecond or two; ten where the
 /// sun is straight over or under the tile.
 TileShadow cast_on_tile(const Globe& globe, const LightAxis& axis, const PlanetTile& tile,
+                        const TileHeights& heights, const EnteringLight& entering);
+
+/// Light of a disc: the axes of one sun, raised to the edges of the disc.
+struct DiscAxes {
+    LightAxis lower;
+    LightAxis upper;
+};
+
+/// The same for both edges of a disc in one pass; neighbours and ancestor must be of the same disc. `heights_m` are, bit for bit,
+/// those of the lower edge alone. Takes a fifth longer than one.
+TileShadow cast_on_tile(const Globe& globe, const DiscAxes& axes, const PlanetTile& tile,
                         const TileHeights& heights, const EnteringLight& entering);
 
 } // namespace duskline

@@ -5,6 +5,7 @@
 //   0             nowhere: all is lit that faces the sun
 //   1             a shadow map
 //   2             shadow heights of the tiles
+// PLANET_DISC     whether these have two heights, for a sun that is seen in part: 0 or 1
 // PLANET_LAMPS    whether lamps shine: 0 or 1
 // PLANET_PROBE    instead of colours: the place from the eye, and
 //   1             how much sunlight gets there, below 0 on ground that faces away
@@ -26,6 +27,7 @@ in float turned;
 // Not read from `tiles` here: drivers do not read buffers for pixels that are only there for derivatives.
 flat in ivec4 tile_layers; // layers of the tile and its parent; whether they have shadow heights
 flat in ivec2 in_parent;   // where the tile begins there
+flat in vec2 second_shadows; // their shares, of the tile's shadows and the parent's
 
 // What a technique may want to know of the place of a pixel.
 struct PlanetPlace {
@@ -36,6 +38,7 @@ struct PlanetPlace {
     float turned;   // into the parent: 0 to 1
     ivec4 layers;   // of the tile and its parent; whether they have shadow heights
     ivec2 in_parent;
+    vec2 second_shadows;
 };
 
 // Each has
@@ -137,7 +140,8 @@ void main()
     vec3 outwards = normalize(eye_m + from_eye_m);
     float upright = clamp(dot(normalize(normal), outwards), 0.02, 1.0);
     float steepness = sqrt(1.0 - upright * upright) / upright;
-    PlanetPlace place = PlanetPlace(from_eye_m, normal, at, height_m, turned, tile_layers, in_parent);
+    PlanetPlace place = PlanetPlace(from_eye_m, normal, at, height_m, turned, tile_layers, in_parent,
+                                    second_shadows);
     float lit = planet_shadow(place);
 #if PLANET_PROBE == 1
     pixel = vec4(from_eye_m, dot(normal, towards_sun) > 0.0 ? lit : -1.0);

@@ -14,6 +14,7 @@ out float height_m;
 out float turned;
 flat out ivec4 tile_layers; // layers of the tile and its parent; whether they have shadow heights
 flat out ivec2 in_parent;   // where the tile begins there
+flat out vec2 second_shadows; // their shares, of the tile's shadows and the parent's
 
 void main()
 {
@@ -26,6 +27,7 @@ void main()
     at = corner.xy;
     tile_layers = ivec4(tile.layer, tile.parent_layer, tile.has_shadow, tile.parent_has_shadow);
     in_parent = tile.in_parent;
+    second_shadows = vec2(tile.second_shadow, tile.parent_second_shadow);
     vec3 outwards = normalize(tile.middle + on_face(tile, corner.xy));
     gl_Position = to_clip * vec4(from_eye_m - corner.z * seam_depth_m(tile) * outwards, 1.0);
 }

@@ -28,7 +28,8 @@ struct PlanetTile {
     ivec2 in_parent;     // column and row of the parent's corner where this tile begins
     int has_shadow;      // whether its shadow heights are there: 0 or 1
     int parent_has_shadow;
-    ivec2 unused;
+    float second_shadow; // share of the second of its shadows, while the sun moves
+    float parent_second_shadow;
 };
 
 layout(std430, binding = 0) readonly buffer Tiles
