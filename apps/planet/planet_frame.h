@@ -9,7 +9,7 @@ namespace duskline::planet_app {
 
 /// What a frame may do besides drawing.
 struct FrameBudget {
-    std::size_t loads = 8;    ///< tiles read
+    std::size_t loads = 8; ///< tiles read
     ShadowBudget shadows = {.tiles = 24};
 };
 

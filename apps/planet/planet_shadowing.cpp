@@ -105,9 +105,8 @@ void PlanetShadowing::make_fronts(const PlanetState& state)
     const Globe& globe = scene_.terrain().globe();
     known_.clear();
     fronts_of_disc_ = state.soft;
-    fronts_ = state.soft
-                  ? PlanetShadows::of_disc(globe, state.sun.direction, gl::PlanetLight().sun_radius)
-                  : PlanetShadows(globe, state.sun.direction);
+    fronts_ = state.soft ? PlanetShadows::of_disc(globe, state.sun.direction, gl::PlanetLight().sun_radius)
+                         : PlanetShadows(globe, state.sun.direction);
 }
 
 void PlanetShadowing::update_fronts(const PlanetState& state, const ShadowBudget& budget)

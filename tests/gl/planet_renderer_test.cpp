@@ -238,10 +238,9 @@ TEST_F(PlanetPicture, IsDarkUnderShadowHeights)
     EXPECT_LT(brightness(dark), brightness(lit) - 100);
     EXPECT_EQ(middle([](const PlanetTile&) { return ShownShadow(); }), lit);
     // Where the finest are missing their parents' do.
-    EXPECT_EQ(middle([&](const PlanetTile& tile) {
-                  return tile.level == 2 ? ShownShadow() : ShownShadow{above};
-              }),
-              dark);
+    EXPECT_EQ(
+        middle([&](const PlanetTile& tile) { return tile.level == 2 ? ShownShadow() : ShownShadow{above}; }),
+        dark);
 }
 
 // The ground at 500 m; what the renderer says of the light in the middle of the picture.
@@ -270,8 +269,8 @@ TEST_F(PlanetPicture, SeesAPartOfTheDiscBetweenItsTwoHeights)
     ProbedPlanet planet;
     const auto light = [&](float dark_m, float lit_m) {
         const Shadow shadow = shadow_at(lit_m, dark_m);
-        return planet.light({.shadows_of = [=](const PlanetTile&) { return ShownShadow{shadow}; },
-                             .of_disc = true});
+        return planet.light(
+            {.shadows_of = [=](const PlanetTile&) { return ShownShadow{shadow}; }, .of_disc = true});
     };
     EXPECT_EQ(light(300.0f, 400.0f), 1.0f);
     EXPECT_EQ(light(600.0f, 900.0f), 0.0f);
@@ -285,8 +284,9 @@ TEST_F(PlanetPicture, InterpolatesShadowHeightsBetweenTwoSunsAndKeepsThemWhenThe
 {
     ProbedPlanet planet;
     const auto light = [&](const Shadow& first, const Shadow& second, double share) {
-        return planet.light(
-            {.shadows_of = [=](const PlanetTile&) { return ShownShadow{first, second, share}; }});
+        return planet.light({.shadows_of = [=](const PlanetTile&) {
+            return ShownShadow{first, second, share};
+        }});
     };
     const Shadow low = shadow_at(400.0f);
     const Shadow high = shadow_at(700.0f);

@@ -287,8 +287,8 @@ public:
         for (int i = 0; i < points; ++i) {
             const double away = tangent(radius) * std::sqrt((i + 0.5) / points);
             const double turn = 2.399963 * i; // the golden angle
-            rays_.emplace_back(ground, axis.to_sun
-                                           + (axis.across * std::cos(turn) + axis.aside * std::sin(turn)) * away);
+            rays_.emplace_back(
+                ground, axis.to_sun + (axis.across * std::cos(turn) + axis.aside * std::sin(turn)) * away);
         }
     }
     double part_seen(const PlanetTile& tile, std::int32_t row, std::int32_t column) const
@@ -325,8 +325,7 @@ TEST(PlanetShadows, OfADiscSeeAsMuchOfItAsRaysToAllOfItDo)
             for (std::int32_t column = 0; column <= kTileSquares; ++column) {
                 const auto r = static_cast<std::size_t>(row);
                 const auto c = static_cast<std::size_t>(column);
-                const auto ground_m =
-                    static_cast<double>(mountains().heights_of(tile).height_m(row, column));
+                const auto ground_m = static_cast<double>(mountains().heights_of(tile).height_m(row, column));
                 const auto lit_m = static_cast<double>(shadow->heights_m(r, c));
                 const double seen = part_seen(ground_m, static_cast<double>(shadow->dark_m(r, c)), lit_m);
                 if (seen == 0.0 || seen == 1.0)
@@ -456,9 +455,9 @@ public:
                     if (std::abs(dot(sample_direction(tile, row, column), last_sun())) > 0.2)
                         continue;
                     ++share.samples;
-                    const bool lit =
-                        static_cast<double>(mountains().heights_of(tile).height_m(row, column))
-                        >= shown_height_m(shown, static_cast<std::size_t>(row), static_cast<std::size_t>(column));
+                    const bool lit = static_cast<double>(mountains().heights_of(tile).height_m(row, column))
+                                     >= shown_height_m(shown, static_cast<std::size_t>(row),
+                                                       static_cast<std::size_t>(column));
                     share.wrong += lit != is_lit(rays, tile, row, column) ? 1U : 0U;
                 }
         }

@@ -46,7 +46,7 @@ struct PlanetView {
 /// faces away from the sun is dark.
 struct PlanetShadow {
     TileShadowsOf shadows_of = {};
-    bool of_disc = false;           ///< these have two heights each, between which the sun's disc is seen in part
+    bool of_disc = false; ///< these have two heights each, between which the sun's disc is seen in part
     const ShadowMap* map = nullptr; ///< brought up to date for this view and sun, its casters by `draw_depth`
     ShadowMapLook look = {};        ///< of the map
 };

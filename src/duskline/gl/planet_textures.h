@@ -43,7 +43,7 @@ public:
     /// What was held.
     struct Layer {
         std::int32_t index = 0;
-        float reference_m = 0.0f; ///< a height amid those of the tile
+        float reference_m = 0.0f;                                 ///< a height amid those of the tile
         std::array<std::shared_ptr<const TileShadow>, 2> shadows; ///< those that are there; null for none
         float share_of_second = 0.0f;
 

@@ -310,8 +310,7 @@ private:
         const bool day = dot(centre_direction(tile_), axis_.to_sun) > 0.0;
         const auto nothing_m = static_cast<float>(-globe_.equatorial_radius_m);
         for (Grid<float>* const heights_m : {&shadow_.heights_m, &shadow_.dark_m})
-            std::fill(heights_m->values().begin(), heights_m->values().end(),
-                      day ? nothing_m : kDeepNight_m);
+            std::fill(heights_m->values().begin(), heights_m->values().end(), day ? nothing_m : kDeepNight_m);
     }
 
     // Whether light over some of the tile crosses more lines than cells. A corner then does, or the axis is in the tile.
@@ -624,8 +623,7 @@ private:
                            FacePlace place) const
     {
         const Vector3 direction = direction_of(tile_.face, place);
-        const double sine =
-            axis.from_raised_axis(dot(direction, axis.to_sun), dot(direction, beam.outward));
+        const double sine = axis.from_raised_axis(dot(direction, axis.to_sun), dot(direction, beam.outward));
         if (entering_.ancestor != nullptr) // floats: where nothing has been met, a little below the centre
             return std::max(0.0, base_radius_m(globe_, direction) + ancestor_height_m(heights_m, place))
                    * sine;

@@ -79,8 +79,9 @@ void PlanetShadows::insert(const PlanetTile& tile, std::shared_ptr<const TileHei
 {
     assert(heights != nullptr);
     tiles_[tile] = {std::move(heights), ++last_number_};
-    for_generations(
-        [&](Generation& generation) { generation.order.emplace(light_rank(generation.light.axis, tile), tile); });
+    for_generations([&](Generation& generation) {
+        generation.order.emplace(light_rank(generation.light.axis, tile), tile);
+    });
 }
 
 void PlanetShadows::erase(const PlanetTile& tile)
@@ -203,8 +204,9 @@ void PlanetShadows::begin_coming(std::size_t tiles)
         next_.reset();
     if (coming_)
         return;
-    const Light ahead =
-        motion_.is_steady() ? light_for(motion_.ahead(2.0 * static_cast<double>(frames_a_sun(tiles)))) : wanted_;
+    const Light ahead = motion_.is_steady()
+                            ? light_for(motion_.ahead(2.0 * static_cast<double>(frames_a_sun(tiles))))
+                            : wanted_;
     if (is_same((next_ ? *next_ : shown_).light.axis, ahead.axis))
         return;
     coming_ = begun_for(ahead);
