@@ -27,30 +27,44 @@ std::size_t TerrainCasters::level(const ShadowBox& box) const
 
 void TerrainCasters::draw(const ShadowBox& box)
 {
-    const std::vector<MeshPatch> patches =
-        detail_.patches_of(level(box), [&](const Box& ground) { return may_cast_into(box, ground); });
-    if (patches.empty())
-        return;
-    for (const Program* program : {&ground_, &skirt_}) {
-        program->set_matrix("to_clip", box_to_clip(box, box.centre_m));
-        program->set("caster_step", static_cast<int>(step(box)));
-        set_places(*program, box.centre_m, kHeightsUnit);
-    }
-    ground_.use();
-    mesh_.draw(patches);
-    draw_skirt(box);
+    const auto wanted = [&](const Box& ground) { return may_cast_into(box, ground); };
+    draw(level(box), detail_.patches_of(level(box), wanted), box_to_clip(box, box.centre_m), box.centre_m,
+         2.0 * box.texel_m);
 }
 
-void TerrainCasters::draw_skirt(const ShadowBox& box) const
+void TerrainCasters::draw(const LampFace& face)
+{
+    const auto wanted = [&](const Box& ground) { return may_cast_into(face, ground); };
+    draw(0, detail_.patches_of(0, wanted), face_to_clip(face, face.lamp_m), face.lamp_m,
+         length({terrain_.field().cell_size_m.x, terrain_.field().cell_size_m.y, 0.0}));
+}
+
+// The walls under the borders hang down so far below all ground.
+void TerrainCasters::draw(std::size_t level, const std::vector<MeshPatch>& patches, const Matrix4& to_clip,
+                          const Vector3& origin_m, double hang_m)
+{
+    if (patches.empty())
+        return;
+    const std::size_t step = std::size_t{1} << level;
+    for (const Program* program : {&ground_, &skirt_}) {
+        program->set_matrix("to_clip", to_clip);
+        program->set("caster_step", static_cast<int>(step));
+        set_places(*program, origin_m, kHeightsUnit);
+    }
+    skirt_.set("bottom_m", static_cast<float>(static_cast<double>(heights().lowest_m) - hang_m - origin_m.z));
+    ground_.use();
+    mesh_.draw(patches);
+    draw_skirt(step);
+}
+
+void TerrainCasters::draw_skirt(std::size_t step) const
 {
     const HeightField& field = terrain_.field();
-    skirt_.set("bottom_m", static_cast<float>(static_cast<double>(heights().lowest_m) - 2.0 * box.texel_m
-                                              - box.centre_m.z));
     skirt_.use();
     for (const int border : {0, 1, 2, 3}) {
         const std::size_t cells = border < 2 ? field.columns() : field.rows();
         skirt_.set("border", border);
-        no_vertices_.draw(VertexArray::Shape::triangle_strip, 0, 2 * ((cells - 1) / step(box) + 2));
+        no_vertices_.draw(VertexArray::Shape::triangle_strip, 0, 2 * ((cells - 1) / step + 2));
     }
 }
 

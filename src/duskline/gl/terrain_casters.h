@@ -3,10 +3,12 @@
 #include <duskline/gl/patch_mesh.h>
 #include <duskline/gl/program.h>
 #include <duskline/gl/terrain_textures.h>
+#include <duskline/view/lamp_face.h>
 #include <duskline/view/level_of_detail.h>
 #include <duskline/view/shadow_box.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace duskline::gl {
 
@@ -20,6 +22,9 @@ public:
 
     /// For ShadowMap::update. Takes texture unit 0.
     void draw(const ShadowBox& box);
+
+    /// For LampMaps::update: in all detail, from cell to cell. Takes texture unit 0.
+    void draw(const LampFace& face);
 
     /// To be called when heights have changed in a rectangle, after the textures' own `heights_changed`.
     void heights_changed(const CellRectangle& rectangle) { detail_.heights_changed(rectangle); }
@@ -36,7 +41,9 @@ public:
 
 private:
     std::size_t level(const ShadowBox& box) const;
-    void draw_skirt(const ShadowBox& box) const;
+    void draw(std::size_t level, const std::vector<MeshPatch>& patches, const Matrix4& to_clip,
+              const Vector3& origin_m, double hang_m);
+    void draw_skirt(std::size_t step) const;
 
     const TerrainTextures& terrain_;
     LevelOfDetail detail_;

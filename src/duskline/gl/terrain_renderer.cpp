@@ -3,6 +3,7 @@
 #include <duskline/gl/read_back.h>
 #include <duskline/gl/screen_pass.h>
 #include <duskline/gl/silhouette_passes.h>
+#include <duskline/gl/terrain_lamps.h>
 #include <duskline/gl/terrain_renderer.h>
 #include <duskline/gl/terrain_shadow_map.h>
 
@@ -20,13 +21,16 @@ enum Unit : int { mesh_heights, ground, heights, shadow, truth, silhouettes, lat
 
 constexpr std::size_t kMostLevels = 24; // of the array in terrain.vert.glsl: grids of up to 2^28 cells a side
 
-ProgramDescription with_lookup(std::vector<std::string> stages, const TerrainShadow& shadow)
+ProgramDescription with_lookup(std::vector<std::string> stages, const TerrainShadow& shadow,
+                               const TerrainLamps* lamps)
 {
     std::vector<ShaderDefine> defines;
     if (shadow.silhouettes != nullptr)
         defines = shadow.silhouettes->look_up_defines(Unit::silhouettes);
     if (shadow.map != nullptr)
         defines = shadow.map->look_up_defines();
+    if (lamps != nullptr && lamps->shine())
+        defines.push_back({"TERRAIN_LAMPS", "1"});
     defines.push_back({"SHADOW_LOOKUP", std::to_string(static_cast<int>(shadow.lookup))});
     return {std::move(stages), std::move(defines)};
 }
@@ -59,9 +63,9 @@ TerrainRenderer::TerrainRenderer(const ShaderSources& sources, const TerrainText
 {}
 
 const Program& TerrainRenderer::program(const char* vertex_stage, const char* fragment_stage,
-                                        const TerrainShadow& shadow)
+                                        const TerrainShadow& shadow, const TerrainLamps* lamps)
 {
-    const ProgramDescription description = with_lookup({vertex_stage, fragment_stage}, shadow);
+    const ProgramDescription description = with_lookup({vertex_stage, fragment_stage}, shadow, lamps);
     std::string key = fragment_stage;
     for (const ShaderDefine& define : description.defines)
         key += " " + define.name + "=" + define.value;
@@ -134,7 +138,7 @@ DrawnMesh TerrainRenderer::draw_terrain(const TerrainView& view, const TerrainLi
     if (patches.empty())
         return {};
 
-    const Program& program = this->program("terrain.vert.glsl", "terrain.frag.glsl", shadow);
+    const Program& program = this->program("terrain.vert.glsl", "terrain.frag.glsl", shadow, light.lamps);
     program.use();
     terrain_.mesh_heights().bind(Unit::mesh_heights);
     terrain_.ground().bind(Unit::ground);
@@ -145,6 +149,10 @@ DrawnMesh TerrainRenderer::draw_terrain(const TerrainView& view, const TerrainLi
     program.set("truth", static_cast<int>(Unit::truth));
     program.set("show_difference", truth != nullptr ? 1 : 0);
     set_lookup(program, shadow, drop_over_a_cell_m(light.light, field.cell_size_m));
+    // Both put places on the casters' mesh, relative to one eye.
+    if (light.lamps != nullptr && light.lamps->shine())
+        light.lamps->bind(program, shadow.map != nullptr ? shadow.map->eye_m() : view.camera.position_m,
+                          Unit::mesh_heights);
     set_light(program, light, field);
     set_eye(program, view.camera, field.cell_size_m);
     set_morph(program, ranges);

@@ -17,15 +17,18 @@
 
 namespace duskline::gl {
 
+class TerrainLamps;
+
 /// The light of a picture of a terrain, and how it is shown. Colours are light, red, green and blue.
 struct TerrainLight {
     DirectionalLight light;
     std::array<float, 3> sun_colour = {1.0f, 1.0f, 1.0f};
     std::array<float, 3> sky_light = {1.0f, 1.0f, 1.0f};
-    float ambient = 0.28f;     ///< light of level ground in shadow, 1 in the light; 0 to below 1
-    float exposure = 1.0f;     ///< above 0
-    float exaggeration = 1.0f; ///< slopes are shaded as if that many times as steep; above 0
-    bool air = true;           ///< a blue sky and haze; else black
+    float ambient = 0.28f;               ///< light of level ground in shadow, 1 in the light; 0 to below 1
+    float exposure = 1.0f;               ///< above 0
+    float exaggeration = 1.0f;           ///< slopes are shaded as if that many times as steep; above 0
+    bool air = true;                     ///< a blue sky and haze; else black
+    const TerrainLamps* lamps = nullptr; ///< that shine beside the sun, brought up to date
 };
 
 /// From where, and how large and how fine.
@@ -46,7 +49,7 @@ struct DrawnMesh {
 /// Draws terrains in perspective: a mesh as fine as the picture needs (view/level_of_detail.h) under a sun and a sky as
 /// in products/relief.h, in shadows that some technique has found.
 ///
-/// Takes texture units 0 to 9, shader storage 0 and, for shadow maps, uniform block 8, and leaves its own there. Changes
+/// Takes texture units 0 to 10, shader storage 0 and, for shadow maps and lamps, uniform blocks 8 and 10, and leaves its own there. Changes
 /// depth test and face culling.
 class TerrainRenderer {
 public:
@@ -80,7 +83,8 @@ public:
 
 private:
     /// Built when first needed.
-    const Program& program(const char* vertex_stage, const char* fragment_stage, const TerrainShadow& shadow);
+    const Program& program(const char* vertex_stage, const char* fragment_stage, const TerrainShadow& shadow,
+                           const TerrainLamps* lamps = nullptr);
     void draw_sky(const TerrainView& view, const TerrainLight& light);
     void set_lookup(const Program& program, const TerrainShadow& shadow, double shadow_drop_m) const;
 

@@ -23,6 +23,9 @@ public:
 
     const ShadowMap& map() const { return map_; }
 
+    /// What places are relative to in programs it was bound for.
+    const Vector3& eye_m() const { return view_.eye_m; }
+
     /// For programs that include terrain_shadow_map.glsl: what they are built with, and what they need. `unit` is for
     /// the heights.
     std::vector<ShaderDefine> look_up_defines() const { return map_.defines(); }

@@ -2,6 +2,15 @@
 // before what is far away. Slopes come from the heights themselves, as coarse as the pixel is large.
 
 #version 430 core
+#ifndef TERRAIN_LAMPS // whether lamps shine
+#define TERRAIN_LAMPS 0
+#endif
+#if TERRAIN_LAMPS || SHADOW_LOOKUP == 9
+#include "caster_surface.glsl"
+#endif
+#if TERRAIN_LAMPS
+#include "lamp_maps.glsl"
+#endif
 #include "terrain_lit.glsl"
 #include "sky_colour.glsl"
 #include "srgb.glsl"
@@ -99,6 +108,10 @@ void main()
     if (sun > 0.0) // ground that turns away is dark, whatever shades it
         sun *= lit_over(cell, across, down);
     vec3 light = sky_light * (ambient * skylight(normal, open)) + sun_colour * ((1.0 - ambient) * sun);
+#if TERRAIN_LAMPS
+    CasterSurface surface = caster_surface(cell, 1);
+    light += lamp_light(surface.place_m, normal, surface.normal);
+#endif
     vec3 colour = exposure * own.rgb / own.a * light;
     if (clear_m > 0.0) {
         float distance_m = length(from_eye_m);
