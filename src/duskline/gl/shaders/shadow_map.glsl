@@ -4,7 +4,8 @@
 //     float lit = shadow_map_factor(from_eye_m, normal, length(from_eye_m));
 //
 // Positions are relative to the eye, in the axes the maps were made in. `normal` is that of the surface the casters have
-// there (any length); for places in the air leave it out. What lies outside the box is lit.
+// there (any length), not a smoothed one; what faces away from the light is dark. For places in the air leave it out. What
+// lies outside the box is lit.
 //
 //        + . . + . . +     a kernel of taps, a texel apart. The surface is a plane near the place: each tap is compared
 //        .     .     .     with that plane's depth at the tap, so that a surface does not shade itself however obliquely
@@ -53,15 +54,21 @@ layout(binding = DUSKLINE_SHADOW_MAP_WIDE_TEXTURE) uniform DUSKLINE_SHADOW_MAP_S
 #endif
 #include "shadow_map_block.h"
 
-// Light that falls along a surface counts as falling at one part in this.
-const float kSteepestDepth = 64.0;
+// A surface counts as no steeper in the map than this, in texels of depth a texel: level ground in light of 2 degrees.
+// What is steeper would put half of a kernel before everything that shades it.
+const float kSteepestDepth = 29.0;
 // Of depth, in texels: what is rounded away.
 const float kDepthRounding = 0.05;
+// Beyond a crest ground falls away from the light, and the texels beside it are of the crest, before it: as far as
+// the surface's plane reaches over a texel it counts as nearer to the light, but for no more texels than this.
+const float kNearestFold = 8.0;
 
-// A place in a map, and how the depth of the surface grows to the right and upwards there.
+// A place in a map, how the depth of the surface grows to the right and upwards there, and by how much nearer to the
+// light it counts.
 struct ShadowMapPlace {
     vec3 at;
     vec2 slope;
+    float bias;
 };
 
 ShadowMapPlace shadow_map_place(ShadowMapPart box, vec3 from_eye_m, vec3 normal)
@@ -70,10 +77,16 @@ ShadowMapPlace shadow_map_place(ShadowMapPart box, vec3 from_eye_m, vec3 normal)
     ShadowMapPlace place;
     place.at = vec3(dot(box.to_column, p), dot(box.to_row, p), dot(box.to_depth, p));
     vec3 turned = vec3(dot(box.to_column.xyz, normal), dot(box.to_row.xyz, normal), -dot(box.to_depth.xyz, normal));
-    // What faces away from the light has something before it.
     place.slope = turned.z > 0.0 ? turned.xy / max(turned.z, length(turned) / kSteepestDepth) : vec2(0.0);
-    place.at.z -= kDepthRounding * box.texel;
+    float fold = min(abs(place.slope.x) + abs(place.slope.y), kNearestFold);
+    place.bias = (kDepthRounding + fold) * box.texel;
     return place;
+}
+
+// Its own ground is before it. Places in the air face nowhere.
+bool shadow_map_faces_away(ShadowMapPart box, vec3 normal)
+{
+    return dot(box.to_depth.xyz, normal) > 0.0;
 }
 
 int shadow_map_taps(ShadowMapPart box, float eye_distance_m)
@@ -86,7 +99,7 @@ int shadow_map_taps(ShadowMapPart box, float eye_distance_m)
 float shadow_map_tap(sampler2DShadow map, ShadowMapPart box, ShadowMapPlace place, vec2 beside)
 {
     vec3 at = place.at + box.texel * vec3(beside, dot(place.slope, beside));
-    return textureLod(map, vec3(at.xy, min(at.z, 1.0)), 0.0); // nothing lies behind the box
+    return textureLod(map, vec3(at.xy, min(at.z - place.bias, 1.0)), 0.0); // nothing lies behind the box
 }
 
 float shadow_map_corners(sampler2DShadow map, ShadowMapPart box, ShadowMapPlace place, float beside)
@@ -158,7 +171,7 @@ float shadow_map_filtered(sampler2DShadow map, ShadowMapPart box, ShadowMapPlace
 float shadow_map_filtered(sampler2D map, ShadowMapPart box, ShadowMapPlace place, int taps)
 {
     vec2 moments = textureLod(map, place.at.xy, 0.0).rg;
-    float behind = place.at.z - 0.5 - moments.x;
+    float behind = place.at.z - place.bias - 0.5 - moments.x;
     float variance = max(moments.y - moments.x * moments.x, 0.25 * box.texel * box.texel);
     return behind <= 0.0 ? 1.0 : variance / (variance + behind * behind);
 }
@@ -179,7 +192,11 @@ float shadow_map_lit(DUSKLINE_SHADOW_MAP_SAMPLER map, ShadowMapPart box, vec3 fr
                      float eye_distance_m)
 {
     ShadowMapPlace place = shadow_map_place(box, from_eye_m, normal);
-    return shadow_map_holds(place) ? shadow_map_filtered(map, box, place, shadow_map_taps(box, eye_distance_m)) : 1.0;
+    if (!shadow_map_holds(place))
+        return 1.0;
+    if (shadow_map_faces_away(box, normal))
+        return 0.0;
+    return shadow_map_filtered(map, box, place, shadow_map_taps(box, eye_distance_m));
 }
 
 // Beyond the near box: 1, or what the wide one says.

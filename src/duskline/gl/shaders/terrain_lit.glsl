@@ -37,7 +37,7 @@ float lit_over(vec2 cell, vec2 across, vec2 down)
 
 bool is_lit(ivec2 at)
 {
-    return terrain_shadow_map(vec2(at)) >= 0.5;
+    return terrain_shadow_map(at) > 0.5;
 }
 
 #elif SHADOW_LOOKUP >= 4 && SHADOW_LOOKUP <= 6
