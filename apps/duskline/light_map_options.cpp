@@ -1,7 +1,7 @@
 #include "light_map_options.h"
 
+#include "colour_text.h"
 #include "exit_code.h"
-#include "map_lights.h"
 #include "option_values.h"
 
 #include <fmt/format.h>

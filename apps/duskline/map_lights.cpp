@@ -1,5 +1,6 @@
 #include "map_lights.h"
 
+#include "colour_text.h"
 #include "exit_code.h"
 #include "option_values.h"
 #include "raster_site.h"
@@ -10,8 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <map>
 
 namespace duskline::cli {
@@ -144,12 +143,6 @@ auto for_light(const std::string& text, const Work& work)
     }
 }
 
-std::string colour_in_words(Colour colour)
-{
-    const auto byte = [](float channel) { return static_cast<int>(std::lround(255.0f * channel)); };
-    return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.red), byte(colour.green), byte(colour.blue));
-}
-
 // Chooses lights one after the other.
 class Chooser {
 public:
@@ -226,19 +219,6 @@ void require_lights(const MapLightOptions& options)
         for_light(text, [&] { return parse_spec(text, options.sun); });
 }
 
-Colour parse_colour(std::string_view option, std::string_view text)
-{
-    std::string_view digits = text;
-    if (digits.starts_with('#'))
-        digits.remove_prefix(1);
-    unsigned rgb = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), rgb, 16);
-    if (digits.size() != 6 || error != std::errc() || end != digits.data() + digits.size())
-        throw UsageError(fmt::format("{} must be #RRGGBB such as #ffcc88, got '{}'", option, text));
-    const auto channel = [&](unsigned shift) { return static_cast<float>((rgb >> shift) & 255U) / 255.0f; };
-    return {channel(16), channel(8), channel(0)};
-}
-
 std::vector<ChosenMapLight> choose_map_lights(const MapLightOptions& options, const InputOptions& input,
                                               const RunOptions& run, const HeightFile& file,
                                               const EarthCurvature& curvature, bool discs_count,
@@ -266,7 +246,7 @@ std::string in_words(const ChosenMapLight& light, const HeightFile& file)
     } else {
         words = fmt::format("point={},reach={:g}", in_words(*light.lamp), light.reach_m);
     }
-    words += fmt::format(",colour={},strength={:g}", colour_in_words(light.colour), light.strength);
+    words += fmt::format(",colour={},strength={:g}", text_of(light.colour), light.strength);
     return light.casts ? words : words + ",shadows=no";
 }
 

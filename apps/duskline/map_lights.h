@@ -35,9 +35,6 @@ void add_map_light_options(CLI::App& app, MapLightOptions& options);
 /// Throws UsageError for lights that are mixed up or are none: all that can be said without the file.
 void require_lights(const MapLightOptions& options);
 
-/// Red, green and blue of "#RRGGBB", 0 to 1. Throws UsageError naming the option.
-Colour parse_colour(std::string_view option, std::string_view text);
-
 /// The lights the options ask for, else the usual light of maps. Throws as `choose_light` and `choose_lamps`.
 std::vector<ChosenMapLight> choose_map_lights(const MapLightOptions& options, const InputOptions& input,
                                               const RunOptions& run, const HeightFile& file,

@@ -130,7 +130,7 @@ public:
             const std::size_t frame = pose * (*options_.flydown_frames - 1) / (options_.errors - 1);
             const PlanetState first = state_at(variants.front(), frame);
             const ProbedPicture seen = probe.settled(scene, shadowings.front(), first);
-            PictureTruth truth(*viewed_.terrain, first.sun.direction, first.camera.eye_m,
+            PictureTruth truth(*viewed_.terrain, sunlight(first.sun.direction), first.camera.eye_m,
                                scene.quadtree().patches(), seen, options_.errors_step, execution());
             for (std::size_t i = 0; i < variants.size(); ++i)
                 errors[i].at(band_at(first)) += truth.errors_of(

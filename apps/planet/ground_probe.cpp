@@ -20,4 +20,18 @@ ProbedPicture GroundProbe::settled(PlanetScene& scene, PlanetShadowing& shadowin
     return gl::read_back<std::array<float, 4>>(places_);
 }
 
+ProbedPicture GroundProbe::lamp(PlanetScene& scene, const PlanetState& state, std::size_t lamp) const
+{
+    scene.load_all(state, places_.width(), places_.height());
+    scene.update_lamps(state, true);
+    framebuffer_.bind();
+    framebuffer_.clear({kNoGround, kNoGround, kNoGround, kNoGround});
+    scene.probe_lamp(state, places_.width(), places_.height(), lamp);
+    ProbedPicture picture = gl::read_back<std::array<float, 4>>(places_);
+    for (std::array<float, 4>& pixel : picture.values())
+        if (pixel[3] < 0.0f)
+            pixel.fill(kNoGround);
+    return picture;
+}
+
 } // namespace duskline::planet_app

@@ -1,11 +1,13 @@
 #include "panel.h"
 
 #include "panel_parts.h"
+#include "state_text.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 
 namespace duskline::planet_app {
 namespace {
@@ -19,6 +21,8 @@ void draw_figures(const FrameFigures& figures)
                      1000.0 / std::max(0.01, figures.frame_ms)));
     text(fmt::format("{:7.2f} ms to choose and read tiles", figures.load_ms));
     text(fmt::format("{:7.2f} ms to find shadows", figures.cast_ms));
+    if (figures.lamps_ms > 0.005)
+        text(fmt::format("{:7.2f} ms to draw maps of lamps", figures.lamps_ms));
     text(fmt::format("{:7.2f} ms to draw", figures.draw_ms));
     text(fmt::format("{} tiles drawn, {} in memory\n{} triangles", figures.drawn.tiles,
                      figures.tiles_in_memory, figures.drawn.triangles));
@@ -26,10 +30,13 @@ void draw_figures(const FrameFigures& figures)
 
 void draw_place(const ViewedPlanet& viewed, const PlanetState& state)
 {
-    const PlanetPose pose = pose_of(*viewed.terrain, state.camera);
-    text(fmt::format("--at {:.5f},{:.5f},{:.1f}\n--heading {:.1f} --pitch {:.1f}",
-                     pose.place.longitude.degrees(), pose.place.latitude.degrees(), pose.clearance_m,
-                     pose.heading.degrees(), pose.pitch.degrees()));
+    ImGui::PushTextWrapPos(window::kPanelWidth);
+    text(pose_options(pose_of(*viewed.terrain, state.camera)));
+    ImGui::PopTextWrapPos();
+    if (ImGui::Button("Copy options"))
+        ImGui::SetClipboardText(options_of(*viewed.terrain, state).c_str());
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("of this view with its sun, shadows and lamps, for --render");
 }
 
 void draw_sun(PlanetState& state, Activity& activity, const ViewedPlanet& viewed)
@@ -71,6 +78,82 @@ void draw_shadows(PlanetState& state)
         window::shadow_map_controls(state.shadow_map, state.shadow_look);
 }
 
+void logarithmic(const char* label, double& value, double least, double most, const char* format)
+{
+    slider(label, value, least, most, format, ImGuiSliderFlags_Logarithmic);
+}
+
+void angle(const char* label, Angle& value, double least, double most)
+{
+    double degrees = value.degrees();
+    if (slider(label, degrees, least, most, "%.1f"))
+        value = Angle::from_degrees(degrees);
+}
+
+void draw_beam(LampBeam& beam, const PlanetCamera& camera)
+{
+    beam.azimuth = wrapped_to_circle(beam.azimuth);
+    angle("Azimuth", beam.azimuth, 0.0, 360.0);
+    angle("Altitude", beam.altitude, -90.0, 90.0);
+    angle("Half angle", beam.half_angle, 1.0, 90.0);
+    if (ImGui::Button("Aim where I look"))
+        beam = {camera.heading, camera.pitch, beam.half_angle};
+}
+
+// False when it is to go.
+bool draw_lamp(PlacedLamp& lamp, const ViewedPlanet& viewed, const PlanetCamera& camera)
+{
+    logarithmic("Strength", lamp.strength, 0.01, 1000.0, "%.2f suns");
+    logarithmic("at", lamp.reach_m, 1.0, 1e4, "%.0f m");
+    logarithmic("Range", lamp.range_m, 10.0, 1e6, "%.0f m");
+    std::array<float, 3> colour = {lamp.colour.red, lamp.colour.green, lamp.colour.blue};
+    if (ImGui::ColorEdit3("Colour", colour.data(), ImGuiColorEditFlags_NoInputs))
+        lamp.colour = {colour[0], colour[1], colour[2]};
+    logarithmic("Height", lamp.clearance_m, 0.1, 1e5, "%.1f m");
+    if (lamp.beam) {
+        draw_beam(*lamp.beam, camera);
+        ImGui::SameLine();
+    }
+    if (ImGui::Button("Move here")) {
+        const PlanetPose pose = pose_of(*viewed.terrain, camera);
+        lamp.place = pose.place;
+        lamp.clearance_m = pose.clearance_m;
+    }
+    ImGui::SameLine();
+    return !ImGui::Button("Remove");
+}
+
+void draw_new_lamps(PlanetState& state, const ViewedPlanet& viewed)
+{
+    ImGui::BeginDisabled(state.lamps.size() >= kMostLamps);
+    if (ImGui::Button("Lamp here"))
+        state.lamps.push_back(lamp_at_eye(*viewed.terrain, state.camera));
+    ImGui::SameLine();
+    if (ImGui::Button("Searchlight here"))
+        state.lamps.push_back(searchlight_at_eye(*viewed.terrain, state.camera));
+    ImGui::EndDisabled();
+}
+
+void draw_lamps(PlanetState& state, const ViewedPlanet& viewed)
+{
+    draw_new_lamps(state, viewed);
+    auto gone = state.lamps.end();
+    for (auto lamp = state.lamps.begin(); lamp != state.lamps.end(); ++lamp) {
+        const auto number = static_cast<int>(lamp - state.lamps.begin()) + 1;
+        ImGui::PushID(number);
+        ImGui::Checkbox("##on", &lamp->on);
+        ImGui::SameLine();
+        if (ImGui::TreeNode(fmt::format("{} {}", lamp->beam ? "Searchlight" : "Lamp", number).c_str())) {
+            if (!draw_lamp(*lamp, viewed, state.camera))
+                gone = lamp;
+            ImGui::TreePop();
+        }
+        ImGui::PopID();
+    }
+    if (gone != state.lamps.end())
+        state.lamps.erase(gone);
+}
+
 void draw_look(PlanetState& state)
 {
     ImGui::SliderFloat("Ambient", &state.ambient, 0.0f, 0.9f, "%.2f");
@@ -91,6 +174,8 @@ void draw_help(bool& open)
                             "W A S D, Q E       fly; with Shift faster\n"
                             "Home               the whole planet\n"
                             "Tab                next technique\n"
+                            "L                  put a lamp where I am\n"
+                            "Shift + L          take the last one away\n"
                             "M                  mark made-up detail\n"
                             "Space              let the clock run\n"
                             "F1                 these keys\n"
@@ -116,6 +201,8 @@ void draw_panel(PlanetState& state, Activity& activity, const ViewedPlanet& view
         draw_sun(state, activity, viewed);
     if (ImGui::CollapsingHeader("Shadows", ImGuiTreeNodeFlags_DefaultOpen))
         draw_shadows(state);
+    if (ImGui::CollapsingHeader("Lamps", state.lamps.empty() ? 0 : ImGuiTreeNodeFlags_DefaultOpen))
+        draw_lamps(state, viewed);
     if (ImGui::CollapsingHeader("Look"))
         draw_look(state);
     activity.wants_screenshot = ImGui::Button("Screenshot");

@@ -12,6 +12,7 @@ struct FrameFigures {
     double frame_ms = 0.0;
     double load_ms = 0.0;
     double cast_ms = 0.0;
+    double lamps_ms = 0.0;
     double draw_ms = 0.0;
     gl::DrawnPlanet drawn;
     std::size_t tiles_in_memory = 0;

@@ -27,6 +27,11 @@ double load_tiles(PlanetScene& scene, const PlanetState& state, std::size_t widt
     return milliseconds(false, [&] { scene.load(state, width, height, budget.loads); });
 }
 
+double light_lamps(PlanetScene& scene, const PlanetState& state, bool exact, bool wait)
+{
+    return milliseconds(wait, [&] { scene.update_lamps(state, exact); });
+}
+
 FrameCost draw_loaded(PlanetScene& scene, PlanetShadowing& shadowing, const PlanetState& state,
                       std::size_t width, std::size_t height, const FrameBudget& budget, bool wait)
 {
@@ -42,8 +47,10 @@ FrameCost draw_frame(PlanetScene& scene, PlanetShadowing& shadowing, const Plane
                      std::size_t width, std::size_t height, const FrameBudget& budget, bool wait)
 {
     const double load_ms = load_tiles(scene, state, width, height, budget);
+    const double lamps_ms = light_lamps(scene, state, false, wait);
     FrameCost cost = draw_loaded(scene, shadowing, state, width, height, budget, wait);
     cost.load_ms = load_ms;
+    cost.lamps_ms = lamps_ms;
     return cost;
 }
 
@@ -51,6 +58,7 @@ FrameCost draw_settled(PlanetScene& scene, PlanetShadowing& shadowing, const Pla
                        std::size_t width, std::size_t height)
 {
     scene.load_all(state, width, height);
+    light_lamps(scene, state, true);
     return draw_loaded(scene, shadowing, state, width, height, {.loads = kAllTiles, .shadows = {}});
 }
 

@@ -2,6 +2,7 @@
 
 #include "exit_code.h"
 #include "help_page.h"
+#include "lamp_text.h"
 #include "light_options.h"
 #include "option_values.h"
 #include "shadow_map_settings.h"
@@ -172,6 +173,37 @@ void add_light(CLI::App& app, PlanetOptions& options)
         ->group(kLight);
 }
 
+using ReadLamp = PlacedLamp (*)(const std::string& typed);
+
+CLI::Option* add_lamp_option(CLI::App& app, const std::string& name, ReadLamp read, PlanetOptions& options,
+                             const std::string& text)
+{
+    return app
+        .add_option_function<std::vector<std::string>>(
+            name,
+            [&options, read](const std::vector<std::string>& typed) {
+                for (const std::string& lamp : typed)
+                    options.look.lamps.push_back(read(lamp));
+            },
+            text)
+        ->allow_extra_args(false)
+        ->group(kLight);
+}
+
+void add_lamps(CLI::App& app, PlanetOptions& options)
+{
+    add_lamp_option(app, "--lamp", &parse_lamp, options,
+                    "a lamp at a place, so many metres over the ground, and by commas what is not "
+                        + lamp_help() + "; may be repeated")
+        ->type_name("LON,LAT,HEIGHT[,NAME=VALUE...]");
+    add_lamp_option(
+        app, "--searchlight", &parse_searchlight, options,
+        "a lamp with a beam: its azimuth, its altitude over the horizontal and the angle from its "
+        "middle to its border, degrees; as --lamp, but "
+            + searchlight_help())
+        ->type_name("LON,LAT,HEIGHT,AZIMUTH,ALTITUDE,HALF_ANGLE[,NAME=VALUE...]");
+}
+
 void add_headless(CLI::App& app, PlanetOptions& options)
 {
     window::add_render_option(app, options);
@@ -233,6 +265,7 @@ void add_planet_options(CLI::App& app, PlanetOptions& options)
     add_planet(app, options);
     add_view(app, options);
     add_light(app, options);
+    add_lamps(app, options);
     add_headless(app, options);
     cli::add_run_options(app, options.run);
     cli::add_details(
@@ -245,6 +278,9 @@ void add_planet_options(CLI::App& app, PlanetOptions& options)
         app, "the Moon's Tycho at sunrise",
         "duskline-planet moon_tycho.tif --moon --render tycho.png --at -11.3,-46,60000 --azimuth 90 "
         "--altitude 8");
+    cli::add_example(app, "a lamp and a searchlight in a valley by night",
+                     "duskline-planet --at -155.6,20.11,900 --heading 190 --pitch -20 --altitude -20 --lamp "
+                     "-155.61,20.08,40,strength=20 --searchlight -155.6,20.11,30,200,-10,8");
 }
 
 namespace {
@@ -278,6 +314,9 @@ void require_consistent(const PlanetOptions& options)
         throw UsageError("give --azimuth and --altitude, or --time, not both");
     if (options.time && options.moon)
         throw UsageError("--time is the sun of the earth: give --azimuth and --altitude with --moon");
+    if (options.look.lamps.size() > kMostLamps)
+        throw UsageError(fmt::format("at most {} lamps and searchlights may shine, got {}", kMostLamps,
+                                     options.look.lamps.size()));
     require_known_technique(options);
 }
 

@@ -15,17 +15,6 @@ gl::PlanetView view_of(const Globe& globe, const PlanetState& state, std::size_t
             .show_made = state.show_made};
 }
 
-gl::PlanetLight light_of(const ViewedPlanet& viewed, const PlanetState& state)
-{
-    gl::PlanetLight light;
-    light.to_sun = state.sun.direction;
-    light.ambient = viewed.air ? state.ambient : 0.2f * state.ambient;
-    light.exposure = state.exposure;
-    light.air = viewed.air;
-    light.living = viewed.living;
-    return light;
-}
-
 // The part of space that a shadow box and its casters take.
 OrientedBox space_of(const ShadowBox& box)
 {
@@ -42,7 +31,8 @@ PlanetScene::PlanetScene(const ViewedPlanet& viewed, const gl::ShaderSources& so
     : viewed_(viewed), sources_(sources), execution_(execution),
       quadtree_(*viewed.terrain, {.square_pixels = square_pixels, .look_around = true}, execution),
       renderer_(sources, viewed.terrain->globe(),
-                [this](const PlanetTile& tile) -> const TileHeights& { return quadtree_.heights_of(tile); })
+                [this](const PlanetTile& tile) -> const TileHeights& { return quadtree_.heights_of(tile); }),
+      lamps_(*viewed.terrain, quadtree_, renderer_)
 {}
 
 void PlanetScene::load(const PlanetState& state, std::size_t width, std::size_t height,
@@ -60,18 +50,42 @@ void PlanetScene::load_all(const PlanetState& state, std::size_t width, std::siz
     while (!quadtree_.settled());
 }
 
+gl::PlanetLight PlanetScene::light_of(const PlanetState& state) const
+{
+    gl::PlanetLight light;
+    light.to_sun = state.sun.direction;
+    light.ambient = viewed_.air ? state.ambient : 0.2f * state.ambient;
+    light.exposure = state.exposure;
+    light.air = viewed_.air;
+    light.living = viewed_.living;
+    light.lamps = lamps_.maps();
+    return light;
+}
+
 gl::DrawnPlanet PlanetScene::draw(const PlanetState& state, std::size_t width, std::size_t height,
                                   const gl::PlanetShadow& shadow)
 {
-    return renderer_.draw(view_of(terrain().globe(), state, width, height), light_of(viewed_, state),
+    return renderer_.draw(view_of(terrain().globe(), state, width, height), light_of(state),
                           quadtree_.patches(), shadow);
 }
 
 void PlanetScene::probe(const PlanetState& state, std::size_t width, std::size_t height,
                         const gl::PlanetShadow& shadow)
 {
-    renderer_.probe_ground(view_of(terrain().globe(), state, width, height), light_of(viewed_, state),
+    renderer_.probe_ground(view_of(terrain().globe(), state, width, height), light_of(state),
                            quadtree_.patches(), shadow);
+}
+
+std::span<const SceneLamp> PlanetScene::lamps() const
+{
+    return lamps_.maps() != nullptr ? lamps_.maps()->lamps() : std::span<const SceneLamp>();
+}
+
+void PlanetScene::probe_lamp(const PlanetState& state, std::size_t width, std::size_t height,
+                             std::size_t lamp)
+{
+    renderer_.probe_lamp(view_of(terrain().globe(), state, width, height), light_of(state),
+                         quadtree_.patches(), lamp);
 }
 
 void PlanetScene::draw_casters(const Vector3& eye_m, const ShadowBox& box)

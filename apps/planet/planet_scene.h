@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planet_files.h"
+#include "planet_lamps.h"
 #include "planet_state.h"
 
 #include <duskline/execution/progress.h>
@@ -9,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace duskline::planet_app {
 
@@ -28,6 +30,9 @@ public:
     /// The same with everything there, however long it takes.
     void load_all(const PlanetState& state, std::size_t width, std::size_t height);
 
+    /// Brings the lamps up to date for the tiles that are loaded: PlanetLamps::update.
+    std::size_t update_lamps(const PlanetState& state, bool exact) { return lamps_.update(state, exact); }
+
     /// Draws the picture for which tiles were loaded last into the current framebuffer.
     gl::DrawnPlanet draw(const PlanetState& state, std::size_t width, std::size_t height,
                          const gl::PlanetShadow& shadow);
@@ -35,6 +40,10 @@ public:
     /// The same picture as PlanetRenderer::probe_ground gives it.
     void probe(const PlanetState& state, std::size_t width, std::size_t height,
                const gl::PlanetShadow& shadow);
+
+    /// Its lamps that shine, and the same picture as PlanetRenderer::probe_lamp gives it of one of them.
+    std::span<const SceneLamp> lamps() const;
+    void probe_lamp(const PlanetState& state, std::size_t width, std::size_t height, std::size_t lamp);
 
     /// What may cast shadows into a box: PlanetRenderer::draw_depth, as DrawCasters of the box wants it.
     void draw_casters(const Vector3& eye_m, const ShadowBox& box);
@@ -54,11 +63,14 @@ public:
     bool reload_shaders() { return renderer_.reload_if_changed(); }
 
 private:
+    gl::PlanetLight light_of(const PlanetState& state) const;
+
     const ViewedPlanet& viewed_;
     const gl::ShaderSources& sources_;
     Execution execution_;
     PlanetQuadtree quadtree_;
     gl::PlanetRenderer renderer_;
+    PlanetLamps lamps_;
     std::uint64_t ground_number_ = 0;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "placed_lamp.h"
+
 #include <duskline/gl/shadow_map.h>
 #include <duskline/light/date_time.h>
 #include <duskline/planet/globe.h>
@@ -53,10 +55,11 @@ struct PlanetState {
     bool soft = false; ///< fronts: the sun is a disc that may be seen in part
     gl::ShadowMapOptions shadow_map;
     gl::ShadowMapLook shadow_look;
-    double square_pixels = 4.0; ///< of the mesh: PlanetQuadtreeOptions
-    float ambient = 0.25f;      ///< 0 to below 1
-    float exposure = 1.0f;      ///< above 0
-    bool show_made = false;     ///< mark what no file has measured
+    std::vector<PlacedLamp> lamps; ///< at most kMostLamps; beside the sun
+    double square_pixels = 4.0;    ///< of the mesh: PlanetQuadtreeOptions
+    float ambient = 0.25f;         ///< 0 to below 1
+    float exposure = 1.0f;         ///< above 0
+    bool show_made = false;        ///< mark what no file has measured
 };
 
 /// The camera of a pose.

@@ -1,6 +1,8 @@
 #include "shadow_truth.h"
 
 #include <duskline/execution/for_rows.h>
+#include <duskline/planet/planet_ray.h>
+#include <duskline/planet/planet_sight.h>
 
 #include <algorithm>
 
@@ -30,12 +32,32 @@ double height_at(const TileHeights& heights, const TilePlace& place)
 ShadowErrors& ShadowErrors::operator+=(const ShadowErrors& other)
 {
     pixels += other.pixels;
+    dark += other.dark;
     wrong += other.wrong;
     wrong_apart += other.wrong_apart;
     return *this;
 }
 
-PictureTruth::PictureTruth(const PlanetTerrain& terrain, const Vector3& to_sun, const Vector3& eye_m,
+LightOver sunlight(const Vector3& to_sun)
+{
+    return [to_sun](const PlanetLevel& ground) -> Reaches {
+        return [rays = PlanetRays(ground, to_sun)](const Vector3& direction, double height_m) {
+            return rays.is_lit(direction, height_m);
+        };
+    };
+}
+
+LightOver lamplight(const SceneLamp& lamp)
+{
+    return [at_m = lamp.position_m](const PlanetLevel& ground) -> Reaches {
+        return [at_m, globe = ground.globe, sight = PlanetSight(ground)](const Vector3& direction,
+                                                                         double height_m) {
+            return sight.sees(point_m(globe, direction, height_m), at_m);
+        };
+    };
+}
+
+PictureTruth::PictureTruth(const PlanetTerrain& terrain, const LightOver& light, const Vector3& eye_m,
                            const std::vector<PlanetPatch>& patches, const ProbedPicture& probed,
                            std::size_t step, const Execution& execution)
     : terrain_(terrain), eye_m_(eye_m), probed_(probed), step_(step),
@@ -45,11 +67,10 @@ PictureTruth::PictureTruth(const PlanetTerrain& terrain, const Vector3& to_sun, 
         drawn_.insert(patch.tile);
         const std::uint32_t level = patch.tile.level;
         if (!rays_.contains(level))
-            rays_.emplace(level, PlanetRays({terrain.globe(), level, terrain.heights(),
-                                             [this](const PlanetTile& tile) -> const TileHeights& {
-                                                 return heights_of(tile);
-                                             }},
-                                            to_sun));
+            rays_.emplace(level, light({terrain.globe(), level, terrain.heights(),
+                                        [this](const PlanetTile& tile) -> const TileHeights& {
+                                            return heights_of(tile);
+                                        }}));
     }
     for_rows((probed.rows() + step - 1) / step, 1, execution, [&](std::size_t first, std::size_t last) {
         for (std::size_t row = first * step_; row < last * step_; row += step_)
@@ -106,7 +127,7 @@ bool PictureTruth::found(std::size_t row, std::size_t column)
                              static_cast<double>(pixel[2])});
     const std::uint32_t level = level_drawn(direction);
     const TilePlace place = place_in_tile(direction, level);
-    return rays_.at(level).is_lit(direction, height_at(heights_of(place.tile), place));
+    return rays_.at(level)(direction, height_at(heights_of(place.tile), place));
 }
 
 bool PictureTruth::is_beside_edge(std::size_t row, std::size_t column)
@@ -129,6 +150,7 @@ ShadowErrors PictureTruth::errors_of(const ProbedPicture& shaded)
             if (!has_ground(row, column))
                 continue;
             ++errors.pixels;
+            errors.dark += is_lit(row, column) ? 0U : 1U;
             if ((shaded(row, column)[3] >= 0.5f) == is_lit(row, column))
                 continue;
             ++errors.wrong;

@@ -80,6 +80,8 @@ private:
             leave();
         if (pressed(GLFW_KEY_TAB))
             next_technique();
+        if (pressed(GLFW_KEY_L))
+            change_lamps(io.KeyShift);
         if (pressed(GLFW_KEY_M))
             state_.show_made = !state_.show_made;
         if (pressed(GLFW_KEY_SPACE))
@@ -206,10 +208,20 @@ private:
         message_ = fmt::format("Shadows: {}", name_of(state_.technique));
     }
 
+    void change_lamps(bool take_away)
+    {
+        if (take_away && !state_.lamps.empty())
+            state_.lamps.pop_back();
+        else if (!take_away && state_.lamps.size() < kMostLamps)
+            state_.lamps.push_back(lamp_at_eye(*viewed_.terrain, state_.camera));
+        message_ = fmt::format("Lamps: {}", state_.lamps.size());
+    }
+
     void note(const FrameCost& cost)
     {
         window::smooth(figures_.load_ms, cost.load_ms);
         window::smooth(figures_.cast_ms, cost.cast_ms);
+        window::smooth(figures_.lamps_ms, state_.lamps.empty() ? 0.0 : cost.lamps_ms);
         window::smooth(figures_.draw_ms, cost.draw_ms);
         figures_.drawn = cost.drawn;
         figures_.tiles_in_memory = scene_.quadtree().tiles().size();

@@ -72,6 +72,31 @@ TEST_F(PlanetApp, HasNightAndDay)
     EXPECT_GT(brightness(rendered("noon.png", noon)), 4.0 * brightness(rendered("night.png", night)));
 }
 
+TEST_F(PlanetApp, LightsTheGroundByLampsAndSearchlightsAtNight)
+{
+    int pictures = 0;
+    // By the red light in it.
+    const auto with = [&](const Arguments& lamps) {
+        Arguments view = {"--radius", "300",        "--at", "10,20,800", "--pitch",
+                          "-90",      "--altitude", "-60",  "--square",  "24"};
+        view.insert(view.end(), lamps.begin(), lamps.end());
+        return brightness(rendered(std::to_string(++pictures) + ".png", view));
+    };
+    const double night = with({});
+    const double lamp = with({"--lamp", "10,20,200,reach=300"});
+    EXPECT_GT(lamp, night + 20.0);
+    EXPECT_NEAR(with({"--lamp", "10,20,200,reach=300,range=150"}), night, 0.5) << "too far away";
+    EXPECT_LT(with({"--lamp", "10,20,200,reach=300,colour=#0000ff"}), night + 0.1 * (lamp - night)) << "blue";
+    const double beam = with({"--searchlight", "10,20,200,0,-90,30,reach=300"});
+    EXPECT_GT(beam, night + 3.0);
+    EXPECT_LT(beam, lamp - 3.0);
+    EXPECT_NEAR(with({"--searchlight", "10,20,200,0,90,30,reach=300"}), night, 0.5) << "upwards";
+    EXPECT_GT(with({"--searchlight", "10,20,200,0,-90,30,reach=300", "--searchlight",
+                    "10.05,20,200,0,-90,30,reach=300"}),
+              beam + 2.0)
+        << "two";
+}
+
 TEST_F(PlanetApp, SetsTheShadowMapAsItIsTold)
 {
     const Arguments usual = {"--radius", "300", "--at", "10,20,100", "--technique", "shadow-map"};
@@ -169,6 +194,13 @@ TEST_F(PlanetApp, RefusesWhatIsWrongInOneLine)
     expect_error({"--technique", "magic"}, 2, "there are: none, shadow-map, fronts");
     expect_error({"--technique", "all"}, 2, "--flydown");
     expect_error({"--shadow-map", "filter=blur"}, 2, "--shadow-map: the shadow map's filter must be");
+    expect_error({"--lamp", "10,20"}, 2, "--lamp must be LON,LAT,HEIGHT[,NAME=VALUE...]");
+    expect_error({"--searchlight", "10,20,30,0,0,0"}, 2,
+                 "half angle of --searchlight must be from 0.1 to 179");
+    Arguments many;
+    for (int i = 0; i < 9; ++i)
+        many.insert(many.end(), {"--lamp", "10,20,30"});
+    expect_error(many, 2, "at most 8 lamps and searchlights may shine, got 9");
     expect_error({"--render", "p.png", "--flydown", "5"}, 2, "not both");
     expect_error({"--report", "r.json"}, 2, "--flydown");
     expect_error({"--flydown", "5", "--from", "0.01", "--to", "20"}, 2, "--from must be above --to");
