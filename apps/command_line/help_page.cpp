@@ -1,5 +1,6 @@
 #include "help_page.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "exit_code.h"
 #include "option_values.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace duskline::cli {

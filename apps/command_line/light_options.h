@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli11_names.h"
 #include "report.h"
 
 #include <duskline/light/date_time.h>
@@ -7,8 +8,6 @@
 #include <duskline/light/place.h>
 #include <duskline/light/sun_course.h>
 #include <duskline/light/sun_position.h>
-
-#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>

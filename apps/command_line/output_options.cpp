@@ -1,5 +1,7 @@
 #include "output_options.h"
 
+#include <CLI/CLI.hpp>
+
 namespace duskline::cli {
 
 void add_output_options(CLI::App& app, OutputOptions& options)

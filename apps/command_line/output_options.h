@@ -1,10 +1,9 @@
 #pragma once
 
+#include "cli11_names.h"
 #include "run_options.h"
 
 #include <duskline/raster_io/raster_writer.h>
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>

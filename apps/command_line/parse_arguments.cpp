@@ -2,6 +2,7 @@
 
 #include "exit_code.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

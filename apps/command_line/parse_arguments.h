@@ -1,6 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli11_names.h"
 
 #include <string>
 #include <vector>

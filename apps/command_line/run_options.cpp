@@ -2,6 +2,8 @@
 
 #include "option_values.h"
 
+#include <CLI/CLI.hpp>
+
 namespace duskline::cli {
 namespace {
 

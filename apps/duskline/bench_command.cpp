@@ -16,6 +16,7 @@
 #include <duskline/execution/for_rows.h>
 #include <duskline/raster_io/memory_need.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

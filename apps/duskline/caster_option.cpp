@@ -1,5 +1,6 @@
 #include "caster_option.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

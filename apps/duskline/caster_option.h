@@ -1,8 +1,8 @@
 #pragma once
 
-#include <duskline/casting/casters.h>
+#include "cli11_names.h"
 
-#include <CLI/CLI.hpp>
+#include <duskline/casting/casters.h>
 
 #include <string>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <duskline/light/date_time.h>
+#include "cli11_names.h"
 
-#include <CLI/CLI.hpp>
+#include <duskline/light/date_time.h>
 
 #include <optional>
 #include <string>

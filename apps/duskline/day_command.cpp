@@ -27,6 +27,7 @@
 #include <duskline/raster_io/write_animation.h>
 #include <duskline/raster_io/write_picture.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

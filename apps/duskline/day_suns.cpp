@@ -8,6 +8,7 @@
 #include <duskline/light/day.h>
 #include <duskline/products/day_cycle.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,11 +1,10 @@
 #pragma once
 
+#include "cli11_names.h"
 #include "light_options.h"
 #include "report.h"
 
 #include <duskline/raster_io/read_height_field.h>
-
-#include <CLI/CLI.hpp>
 
 #include <cstddef>
 #include <optional>

@@ -19,6 +19,7 @@
 #include <duskline/products/sun_hours.h>
 #include <duskline/raster_io/memory_need.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include <duskline/raster_io/map_place.h>
 #include <duskline/terrain/ground_height.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

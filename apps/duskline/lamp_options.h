@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli11_names.h"
 #include "input_options.h"
 #include "light_options.h"
 #include "report.h"
@@ -8,8 +9,6 @@
 #include <duskline/light/point_light.h>
 #include <duskline/raster_io/read_height_field.h>
 #include <duskline/terrain/earth_curvature.h>
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>

@@ -13,6 +13,7 @@
 #include <duskline/raster_io/memory_need.h>
 #include <duskline/raster_io/write_ply.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

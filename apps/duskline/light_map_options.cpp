@@ -4,6 +4,7 @@
 #include "exit_code.h"
 #include "option_values.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

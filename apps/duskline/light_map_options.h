@@ -1,12 +1,11 @@
 #pragma once
 
+#include "cli11_names.h"
 #include "light_pixels.h"
 #include "report.h"
 
 #include <duskline/products/light_map.h>
 #include <duskline/raster_io/read_height_field.h>
-
-#include <CLI/CLI.hpp>
 
 #include <cstddef>
 #include <optional>

@@ -5,6 +5,7 @@
 #include "parse_arguments.h"
 #include "report.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

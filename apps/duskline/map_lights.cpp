@@ -7,6 +7,7 @@
 
 #include <duskline/geometry/invalid_input.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

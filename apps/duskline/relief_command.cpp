@@ -18,6 +18,7 @@
 #include <duskline/raster_io/memory_need.h>
 #include <duskline/raster_io/read_colours.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "cli11_names.h"
+
 #include <duskline/casting/shadow_mask.h>
 #include <duskline/geometry/grid.h>
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 #include <cstddef>

@@ -19,6 +19,7 @@
 #include <duskline/casting/lamps.h>
 #include <duskline/execution/available_memory.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 #include <duskline/light/day.h>
 #include <duskline/raster_io/read_height_field.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>

@@ -8,6 +8,7 @@
 #include "shadow_map_settings.h"
 #include "shadow_variants.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "cli11_names.h"
 #include "drawing_options.h"
 #include "planet_state.h"
 #include "run_options.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstddef>
 #include <optional>

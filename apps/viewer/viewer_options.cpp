@@ -9,6 +9,7 @@
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/shadow_technique.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace duskline::viewer {

@@ -1,12 +1,11 @@
 #pragma once
 
+#include "cli11_names.h"
 #include "drawing_options.h"
 #include "input_options.h"
 #include "light_options.h"
 #include "picture_options.h"
 #include "run_options.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstddef>
 #include <optional>

@@ -6,6 +6,7 @@
 
 #include <duskline/raster_io/file_errors.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli11_names.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cstddef>

@@ -6,6 +6,8 @@
 #include "parse_arguments.h"
 #include "report.h"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 #include <string>
 #include <vector>
