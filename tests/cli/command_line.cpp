@@ -19,7 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::chrono::seconds kPatience{600};
+#else
 constexpr std::chrono::seconds kPatience{60};
+#endif
 
 std::string content_of(const fs::path& path)
 {

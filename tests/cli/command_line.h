@@ -25,7 +25,7 @@ protected:
     CommandLineTest();
     ~CommandLineTest() override;
 
-    /// Runs `duskline ARGUMENTS...` to its end; kills it, and fails the test, after a minute.
+    /// Runs `duskline ARGUMENTS...` to its end; kills it, and fails the test, after a minute (ten with sanitizers).
     Finished run(const Arguments& arguments) const;
 
     /// Whether this machine lets a program open a terminal; a bare container may not.
