@@ -8,6 +8,8 @@
 #include <duskline/products/daylight.h>
 #include <duskline/products/relief.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -140,6 +142,7 @@ FrameCost Scene::cast(const ViewerState& state, std::size_t width, std::size_t h
         object_heights_ = nullptr;
     if (state.objects)
         cost.cast_ms += cast_for_objects(wait);
+    cost.cast_ms += cast_lamps(state, wait);
     if (state.difference)
         true_mask();
     return cost;
@@ -150,6 +153,8 @@ void Scene::upload_ground(const CellRectangle& changed)
     textures_.heights_changed(changed);
     textures_.colours_changed(viewed_.ground->colours().view(), viewed_.ground->repainted(changed));
     renderer_.heights_changed(changed);
+    if (lamps_)
+        lamps_->heights_changed(changed);
     not_in_truth_ = united(not_in_truth_, changed);
 }
 
@@ -196,6 +201,23 @@ double Scene::cast_for_objects(bool wait)
         if (wait)
             gl::wait_until_done();
     });
+}
+
+// Draws the maps of lamps that have changed; 0 when none has.
+double Scene::cast_lamps(const ViewerState& state, bool wait)
+{
+    const std::vector<SceneLamp> lamps = shining(state.lamps);
+    if (lamps.empty() && !lamps_)
+        return 0.0;
+    std::size_t drawn = 0;
+    const double spent_ms = milliseconds([&] {
+        if (!lamps_)
+            lamps_.emplace(sources_, textures_);
+        drawn = lamps_->update(lamps);
+        if (wait && drawn > 0)
+            gl::wait_until_done();
+    });
+    return drawn > 0 ? spent_ms : 0.0;
 }
 
 const gl::Texture* Scene::heights_for_objects() const
@@ -262,6 +284,7 @@ gl::TerrainLight Scene::light_of(const ViewerState& state) const
     light.exposure = state.exposure;
     light.exaggeration = state.exaggeration;
     light.air = viewed_.air;
+    light.lamps = lamps_ ? &*lamps_ : nullptr;
     return light;
 }
 
@@ -277,6 +300,18 @@ void take_light(const cli::LightOptions& options, ViewerLight& light)
     light.altitude_deg = options.altitude_deg.value_or(light.altitude_deg);
     if (options.sun.time)
         light.time = options.sun.time;
+}
+
+// Beside those of the state.
+void take_lamps(const ViewerOptions& options, const ViewedTerrain& viewed, ViewerState& state)
+{
+    for (const std::string& typed : options.lamps)
+        state.lamps.push_back(typed_lamp(typed, viewed));
+    for (const std::string& typed : options.searchlights)
+        state.lamps.push_back(typed_searchlight(typed, viewed));
+    if (state.lamps.size() > kMostLamps)
+        throw cli::UsageError(fmt::format("at most {} lamps and searchlights may shine, got {}", kMostLamps,
+                                          state.lamps.size()));
 }
 
 } // namespace
@@ -305,6 +340,7 @@ ViewerState first_state(const ViewerOptions& options, const ViewedTerrain& viewe
     state.light_maps = options.light_maps.value_or(state.light_maps);
     state.objects = state.objects || options.objects;
     state.difference = state.difference || options.difference;
+    take_lamps(options, viewed, state);
     clock.bring_up_to_date(state.light);
     return state;
 }

@@ -8,6 +8,7 @@
 #include <duskline/gl/scene_objects.h>
 #include <duskline/gl/shadow_sweep.h>
 #include <duskline/gl/shadow_technique.h>
+#include <duskline/gl/terrain_lamps.h>
 #include <duskline/gl/terrain_renderer.h>
 #include <duskline/gl/timer_query.h>
 
@@ -87,6 +88,7 @@ private:
                            bool wait);
     void upload_ground(const CellRectangle& changed);
     double cast_for_objects(bool wait);
+    double cast_lamps(const ViewerState& state, bool wait);
     const gl::Texture* heights_for_objects() const;
 
     ViewedTerrain& viewed_;
@@ -96,6 +98,7 @@ private:
     gl::TerrainTextures textures_;
     gl::TerrainRenderer renderer_;
     Scenery scenery_;                             ///< of the ground as it was first
+    std::optional<gl::TerrainLamps> lamps_;       ///< made when first asked for
     std::optional<gl::SceneObjects> objects_;     ///< made when first asked for
     std::optional<gl::ShadowSweep> object_sweep_; ///< for techniques that leave no shadow heights
     const gl::Texture* object_heights_ = nullptr; ///< its own, of the current light and ground

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace duskline::viewer {
 
@@ -25,7 +26,9 @@ struct ViewerOptions : window::DrawingOptions {
     std::optional<std::size_t> light_maps;
     bool difference = false;
     bool objects = false;
-    std::string animation; ///< empty: of the state
+    std::vector<std::string> lamps;        ///< X,Y,Z and more, beside those of the state
+    std::vector<std::string> searchlights; ///< X,Y,Z,AZIMUTH,ALTITUDE,HALF_ANGLE and more
+    std::string animation;                 ///< empty: of the state
     std::optional<double> animation_s;
     std::optional<double> animation_speed;
     std::string state;  ///< a file to begin with

@@ -78,6 +78,8 @@ public:
         return Reader(*found, where_ + ": " + key);
     }
 
+    const std::string& where() const { return where_; }
+
     [[noreturn]] void fail(const std::string& what) const { throw InputError(where_ + ": " + what); }
 
 private:
@@ -176,6 +178,61 @@ std::string animation_of(const Reader& reader, const std::string& otherwise)
     return name;
 }
 
+Json json_of(const ViewerLamp& lamp)
+{
+    const SceneLamp& light = lamp.light;
+    const BeamAngles beam = angles_of_beam(light);
+    return {{"on", lamp.on},
+            {"east_m", light.position_m.x},
+            {"north_m", light.position_m.y},
+            {"height_m", light.position_m.z},
+            {"azimuth_deg", beam.azimuth.degrees()},
+            {"altitude_deg", beam.altitude.degrees()},
+            {"half_angle_deg", light.half_angle.degrees()},
+            {"edge", light.soft_edge},
+            {"red", light.colour[0]},
+            {"green", light.colour[1]},
+            {"blue", light.colour[2]},
+            {"reach_m", light.bright_m},
+            {"range_m", light.range_m}};
+}
+
+ViewerLamp lamp_of(const Reader& reader)
+{
+    ViewerLamp lamp = {usual_lamp()};
+    SceneLamp& light = lamp.light;
+    BeamAngles beam = angles_of_beam(light);
+    reader.flag("on", lamp.on);
+    reader.number("east_m", light.position_m.x, -kMost, kMost);
+    reader.number("north_m", light.position_m.y, -kMost, kMost);
+    reader.number("height_m", light.position_m.z, -kMost, kMost);
+    reader.angle("azimuth_deg", beam.azimuth, -kMost, kMost);
+    reader.angle("altitude_deg", beam.altitude, -90.0, 90.0);
+    light.direction = beam_towards(beam.azimuth, beam.altitude);
+    reader.angle("half_angle_deg", light.half_angle, 0.5, 180.0);
+    reader.number("edge", light.soft_edge, 0.0, 1.0);
+    reader.number("red", light.colour[0], 0.0, 1e6);
+    reader.number("green", light.colour[1], 0.0, 1e6);
+    reader.number("blue", light.colour[2], 0.0, 1e6);
+    reader.number("reach_m", light.bright_m, 0.01, 1e7);
+    reader.number("range_m", light.range_m, 1.0, 1e7);
+    return lamp;
+}
+
+std::vector<ViewerLamp> lamps_of(const Json& json, const Reader& reader,
+                                 const std::vector<ViewerLamp>& otherwise)
+{
+    const auto found = json.find("lamps");
+    if (found == json.end())
+        return otherwise;
+    if (!found->is_array() || found->size() > kMostLamps)
+        reader.fail(fmt::format("'lamps' must be an array of at most {} lamps", kMostLamps));
+    std::vector<ViewerLamp> lamps;
+    for (const Json& lamp : *found)
+        lamps.push_back(lamp_of(Reader(lamp, reader.where() + ": lamps")));
+    return lamps;
+}
+
 } // namespace
 
 ViewerState read_state(const std::string& path, const ViewerState& otherwise)
@@ -196,6 +253,7 @@ ViewerState read_state(const std::string& path, const ViewerState& otherwise)
     reader.number("animation_s", state.animation_s, -1e9, 1e9);
     reader.number("animation_speed", state.animation_speed, 0.0, 100.0);
     reader.flag("objects", state.objects);
+    state.lamps = lamps_of(json, reader, state.lamps);
     reader.number("clock_s_per_s", state.clock_s_per_s, -1e6, 1e6);
     reader.number("ambient", state.ambient, 0.0, 0.99);
     reader.number("exposure", state.exposure, 0.01, 100.0);
@@ -209,6 +267,9 @@ void write_state(const std::string& path, const ViewerState& state)
     Json light = {{"azimuth_deg", state.light.azimuth_deg}, {"altitude_deg", state.light.altitude_deg}};
     if (state.light.time)
         light["time"] = to_iso8601(*state.light.time);
+    Json lamps = Json::array();
+    for (const ViewerLamp& lamp : state.lamps)
+        lamps.push_back(json_of(lamp));
     write_json(path, {{"camera", json_of(state.camera)},
                       {"light", light},
                       {"technique", state.technique},
@@ -220,6 +281,7 @@ void write_state(const std::string& path, const ViewerState& state)
                       {"animation_s", state.animation_s},
                       {"animation_speed", state.animation_speed},
                       {"objects", state.objects},
+                      {"lamps", lamps},
                       {"clock_s_per_s", state.clock_s_per_s},
                       {"ambient", state.ambient},
                       {"exposure", state.exposure},

@@ -2,6 +2,7 @@
 
 #include "changing_ground.h"
 #include "shadow_map_settings.h"
+#include "viewer_lamps.h"
 
 #include <duskline/light/date_time.h>
 #include <duskline/view/camera_path.h>
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace duskline::viewer {
 
@@ -32,6 +34,7 @@ struct ViewerState {
     double animation_s = 0.0;             ///< its second, and that of whatever else moves by itself
     double animation_speed = 1.0;         ///< seconds of it in a second
     bool objects = false;                 ///< trees, towers, an aircraft and clouds
+    std::vector<ViewerLamp> lamps;        ///< at most kMostLamps
     double clock_s_per_s = 600.0;         ///< how fast the clock runs
     float ambient = 0.28f;                ///< 0 to below 1
     float exposure = 1.0f;                ///< above 0

@@ -99,6 +99,55 @@ TEST_F(Viewer, BakesMapsOfTheCompassAndOfADay)
     expect_error({"dem.tif", "--light-maps", "97", "--render", "p.png"}, 2, "at most 96");
 }
 
+double mean(const std::vector<float>& picture)
+{
+    double sum = 0.0;
+    for (const float value : picture)
+        sum += static_cast<double>(value);
+    return sum / static_cast<double>(picture.size());
+}
+
+TEST_F(Viewer, LampsAndSearchlightsShineByNight)
+{
+    const auto night = [&](const std::string& name, Arguments options) {
+        options.insert(options.end(), {"--altitude", "-20", "--ambient", "0"});
+        return rendered(name, options);
+    };
+    const double dark = mean(night("dark.png", {}));
+    const double lamp = mean(night("lamp.png", {"--lamp", "500750,3999400,+60,reach=600"}));
+    EXPECT_GT(lamp, dark + 5.0);
+    EXPECT_LT(mean(night("short.png", {"--lamp", "500750,3999400,+60,reach=600,range=80"})), lamp - 3.0);
+    const double beam =
+        mean(night("beam.png", {"--searchlight", "500750,3999400,+200,45,-70,35,reach=600,colour=#ffffff"}));
+    EXPECT_GT(beam, dark + 0.5);
+    EXPECT_LT(beam, lamp);
+    write_file("lamps.json",
+               R"({"lamps": [{"on": false, "east_m": 700, "north_m": -600, "height_m": 400}]})");
+    EXPECT_NEAR(mean(night("off.png", {"--state", "lamps.json"})), dark, 1e-9);
+    write_file("lamps.json", R"({"lamps": [{"east_m": 700, "north_m": -600, "height_m": 400}]})");
+    EXPECT_GT(mean(night("on.png", {"--state", "lamps.json"})), dark + 3.0);
+}
+
+TEST_F(Viewer, RefusesLampsThatCannotBe)
+{
+    const auto refused = [&](const std::string& option, const std::string& typed, const std::string& says) {
+        expect_error({"dem.tif", "--render", "p.png", option, typed}, 2, says);
+    };
+    refused("--lamp", "500750,3999400", "must be X,Y,Z");
+    refused("--lamp", "500750,3999400,+30,glow=3", "there are: reach");
+    refused("--lamp", "500750,3999400,+30,reach=0", "got 0");
+    refused("--lamp", "400000,3999400,+30", "no ground");
+    refused("--searchlight", "500750,3999400,+30,120", "AZIMUTH,ALTITUDE,HALF_ANGLE");
+    refused("--searchlight", "500750,3999400,+30,120,-100,8", "-100");
+    refused("--searchlight", "500750,3999400,+30,120,-10,200", "200");
+    Arguments nine = {"dem.tif", "--render", "p.png"};
+    for (int i = 0; i < 9; ++i)
+        nine.insert(nine.end(), {"--lamp", "500750,3999400,+30"});
+    expect_error(nine, 2, "at most 8");
+    write_file("lamps.json", R"({"lamps": [{"half_angle_deg": 300}]})");
+    expect_error({"dem.tif", "--render", "p.png", "--state", "lamps.json"}, 3, "half_angle_deg");
+}
+
 TEST_F(Viewer, BeginsWithASavedStateAndOptionsGoBefore)
 {
     write_file("state.json",
