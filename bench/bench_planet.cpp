@@ -3,6 +3,13 @@
 // around the middle tile; `border_%` the same for samples on borders of tiles; `farthest` how many samples a wrong one is from
 // an edge of shadow at most (3: more than 2).
 //
+// `disc` is for both edges of the sun's disc; `half_%` how many samples see a part of it, `error` what that part is wrong by in
+// their mean, by rays to 40 points of the disc, and `two_shadows` the same for the shadows of the two edges by themselves.
+//
+// `moving` has a clock that runs at ten minutes a second, 60 frames a second, and a budget of ten tiles a frame; `jumping` the
+// same when every sun is shown alone, as soon as it is computed. `wrong_%` is then against rays to the sun of the clock,
+// `behind` how many frames the sun that is shown is behind it in the mean, `jump` how many frames it moves at once at most.
+//
 //   build/release/bench/bench_planet
 
 #include <duskline/planet/planet_ray.h>
@@ -12,9 +19,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -86,7 +95,12 @@ struct Scene {
     }
     PlanetShadows shadows(const Vector3& sun) const
     {
-        PlanetShadows result(kWgs84, sun);
+        return shadows(sun, [](const Vector3& to_sun) { return PlanetShadows(kWgs84, to_sun); });
+    }
+    template <typename Made>
+    PlanetShadows shadows(const Vector3& sun, const Made& made) const
+    {
+        PlanetShadows result = made(sun);
         for (const auto& [each, there] : all)
             result.insert(each, heights_of(each));
         return result;
@@ -105,15 +119,16 @@ public:
 
     void count(const PlanetTile& tile)
     {
-        const auto shadow = shadows_.shadow_of(tile);
+        const ShownShadow shown = shadows_.shown(tile);
         for (std::int32_t row = 0; row <= kTileSquares; ++row)
             for (std::int32_t column = 0; column <= kTileSquares; ++column) {
                 const bool border = row % kTileSquares == 0 || column % kTileSquares == 0;
                 if (heights_of(tile)->height_m(row, column) <= 0.0F
                     || (!border && (row * 129 + column) % 11 != 0))
                     continue;
-                const bool lit = heights_of(tile)->height_m(row, column) >= shadow->heights_m(
-                                     static_cast<std::size_t>(row), static_cast<std::size_t>(column));
+                const bool lit =
+                    static_cast<double>(heights_of(tile)->height_m(row, column))
+                    >= shadow_m(shown, static_cast<std::size_t>(row), static_cast<std::size_t>(column));
                 const bool wrong = lit != is_lit(tile, row, column);
                 ++(border ? border_samples_ : samples_);
                 if (!wrong)
@@ -135,7 +150,17 @@ public:
             state.SkipWithError("more than 0.8 % of the samples are wrong");
     }
 
+    double samples() const { return static_cast<double>(samples_); }
+    double wrong() const { return static_cast<double>(wrong_); }
+
 private:
+    static double shadow_m(const ShownShadow& shown, std::size_t row, std::size_t column)
+    {
+        const auto first_m = static_cast<double>(shown.first->heights_m(row, column));
+        if (!shown.second)
+            return first_m;
+        return first_m + shown.share * (static_cast<double>(shown.second->heights_m(row, column)) - first_m);
+    }
     bool is_lit(const PlanetTile& tile, std::int32_t row, std::int32_t column) const
     {
         return rays_.is_lit(sample_direction(tile, row, column),
@@ -183,6 +208,14 @@ void time_tile(benchmark::State& state, std::uint32_t level, double altitude)
     errors.report(state);
 }
 
+void report_per_tile(benchmark::State& state, const Scene& scene)
+{
+    state.counters["tiles"] = static_cast<double>(scene.all.size());
+    state.counters["per_tile"] =
+        benchmark::Counter(static_cast<double>(scene.all.size()),
+                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 // All tiles of a scene from nothing, one thread; per tile.
 void time_settle(benchmark::State& state, std::uint32_t level, double altitude)
 {
@@ -193,10 +226,145 @@ void time_settle(benchmark::State& state, std::uint32_t level, double altitude)
         shadows.settle({.threads = 1});
         benchmark::DoNotOptimize(shadows.shadow_of(scene.tile));
     }
-    state.counters["tiles"] = static_cast<double>(scene.all.size());
-    state.counters["per_tile"] =
-        benchmark::Counter(static_cast<double>(scene.all.size()),
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    report_per_tile(state, scene);
+}
+
+const Angle kSunRadius = Angle::from_degrees(0.2666);
+
+// The part of the disc that is seen: as shaders have it (visible_disc.glsl).
+double part_seen(double ground_m, double dark_m, double lit_m)
+{
+    if (ground_m >= lit_m || ground_m < dark_m)
+        return ground_m >= lit_m ? 1.0 : 0.0;
+    const double horizon = 2.0 * (lit_m - ground_m) / (lit_m - dark_m) - 1.0;
+    return 0.5 - (horizon * std::sqrt(1.0 - horizon * horizon) + std::asin(horizon)) / std::numbers::pi;
+}
+
+// Rays to points all over the disc.
+std::vector<PlanetRays> rays_to_disc(const Vector3& sun, std::uint32_t level)
+{
+    constexpr int points = 40;
+    const LightAxis axis = light_axis(sun);
+    std::vector<PlanetRays> rays;
+    for (int i = 0; i < points; ++i) {
+        const double away = tangent(kSunRadius) * std::sqrt((i + 0.5) / points);
+        const double turn = 2.399963 * i; // the golden angle
+        const Vector3 aside = axis.across * std::cos(turn) + axis.aside * std::sin(turn);
+        rays.emplace_back(PlanetLevel{kWgs84, level, world().heights(),
+                                      [](const PlanetTile& tile) -> const TileHeights& {
+                                          return *heights_of(tile);
+                                      }},
+                          axis.to_sun + aside * away);
+    }
+    return rays;
+}
+
+double part_seen(const std::vector<PlanetRays>& rays, const Vector3& direction, double height_m)
+{
+    const auto lit = std::ranges::count_if(
+        rays, [&](const PlanetRays& to_point) { return to_point.is_lit(direction, height_m); });
+    return static_cast<double>(lit) / static_cast<double>(rays.size());
+}
+
+void count_half_shadow(benchmark::State& state, const Scene& scene, const Vector3& sun, std::uint32_t level,
+                       const PlanetShadows& disc)
+{
+    PlanetShadows upper = scene.shadows(sun, [](const Vector3& to_sun) {
+        return PlanetShadows(kWgs84, to_sun, kSunRadius);
+    });
+    upper.settle();
+    const std::vector<PlanetRays> rays = rays_to_disc(sun, level);
+    double samples = 0.0;
+    double half = 0.0;
+    double error = 0.0;
+    double error_of_two = 0.0;
+    for (const PlanetTile& tile : scene.near)
+        for (std::int32_t row = 0; row <= kTileSquares; row += 3)
+            for (std::int32_t column = 0; column <= kTileSquares; column += 3) {
+                const auto r = static_cast<std::size_t>(row);
+                const auto c = static_cast<std::size_t>(column);
+                const auto shadow = disc.shadow_of(tile);
+                const auto ground_m = static_cast<double>(heights_of(tile)->height_m(row, column));
+                const auto lit_m = static_cast<double>(shadow->heights_m(r, c));
+                const double seen = part_seen(ground_m, static_cast<double>(shadow->dark_m(r, c)), lit_m);
+                samples += ground_m > 0.0 ? 1.0 : 0.0;
+                if (ground_m <= 0.0 || seen == 0.0 || seen == 1.0)
+                    continue;
+                const double truth = part_seen(rays, sample_direction(tile, row, column), ground_m);
+                const auto upper_m = static_cast<double>(upper.shadow_of(tile)->heights_m(r, c));
+                half += 1.0;
+                error += std::abs(seen - truth);
+                error_of_two += std::abs(part_seen(ground_m, upper_m, lit_m) - truth);
+            }
+    state.counters["half_%"] = 100.0 * half / samples;
+    state.counters["error"] = error / half;
+    state.counters["two_shadows"] = error_of_two / half;
+}
+
+// All tiles of a scene from nothing with both edges of the disc, one thread.
+void time_disc(benchmark::State& state, std::uint32_t level, double altitude)
+{
+    const Scene scene(level);
+    const Vector3 sun = sun_over(scene.tile, altitude);
+    const auto made = [](const Vector3& to_sun) {
+        return PlanetShadows::of_disc(kWgs84, to_sun, kSunRadius);
+    };
+    for (auto _ : state) {
+        PlanetShadows shadows = scene.shadows(sun, made);
+        shadows.settle({.threads = 1});
+        benchmark::DoNotOptimize(shadows.shadow_of(scene.tile));
+    }
+    report_per_tile(state, scene);
+    PlanetShadows shadows = scene.shadows(sun, made);
+    shadows.settle();
+    count_half_shadow(state, scene, sun, level, shadows);
+}
+
+// The sun as the day goes on.
+Vector3 sun_after(const Vector3& sun, double frames)
+{
+    constexpr double clock_s_per_frame = 10.0;
+    const auto [sine, cosine] = sine_cosine(Angle::from_degrees(-frames * clock_s_per_frame / 240.0));
+    return {sun.x * cosine - sun.y * sine, sun.x * sine + sun.y * cosine, sun.z};
+}
+
+void run_clock(benchmark::State& state, std::uint32_t level, double altitude, bool ahead)
+{
+    constexpr int first = 40;
+    constexpr int frames = 140;
+    const Scene scene(level);
+    const Vector3 sun = sun_over(scene.tile, altitude);
+    const Vector3 step = sun_after(sun, 1.0) - sun;
+    for (auto _ : state) {
+        PlanetShadows shadows = scene.shadows(sun);
+        shadows.settle();
+        double samples = 0.0;
+        double wrong = 0.0;
+        double behind = 0.0;
+        double jump = 0.0;
+        for (int frame = 0; frame < frames; ++frame) {
+            const Vector3 now = sun_after(sun, frame);
+            const Vector3 before = shadows.shown_sun();
+            // Set twice it is a sun that stands.
+            for (int times = ahead ? 1 : shadows.settled() ? 2 : 0; times > 0; --times)
+                shadows.set_sun(now);
+            shadows.update(10);
+            if (frame < first)
+                continue;
+            behind += length(shadows.shown_sun() - now) / length(step);
+            jump = std::max(jump, length(shadows.shown_sun() - before) / length(step));
+            if (frame % 20 != 0)
+                continue;
+            Errors errors(shadows, now, level);
+            for (const PlanetTile& tile : scene.near)
+                errors.count(tile);
+            samples += errors.samples();
+            wrong += errors.wrong();
+        }
+        state.counters["wrong_%"] = 100.0 * wrong / samples;
+        state.counters["behind"] = behind / (frames - first);
+        state.counters["jump"] = jump;
+    }
 }
 
 void add_all()
@@ -213,6 +381,14 @@ void add_all()
             add("tile", level, altitude, time_tile);
     add("tile", 10, 90.0, time_tile);
     add("settle", 10, 10.0, time_settle);
+    for (const double altitude : {2.0, 10.0})
+        add("disc", 10, altitude, time_disc);
+    for (const bool ahead : {false, true})
+        for (const double altitude : {5.0, 20.0})
+            add(ahead ? "moving" : "jumping", 10, altitude,
+                [ahead](benchmark::State& state, std::uint32_t level, double high) {
+                    run_clock(state, level, high, ahead);
+                });
 }
 
 } // namespace
