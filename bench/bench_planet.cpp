@@ -126,9 +126,8 @@ public:
                 if (heights_of(tile)->height_m(row, column) <= 0.0F
                     || (!border && (row * 129 + column) % 11 != 0))
                     continue;
-                const bool lit =
-                    static_cast<double>(heights_of(tile)->height_m(row, column))
-                    >= shadow_m(shown, static_cast<std::size_t>(row), static_cast<std::size_t>(column));
+                const bool lit = static_cast<double>(heights_of(tile)->height_m(row, column)) >= shadow_m(
+                                     shown, static_cast<std::size_t>(row), static_cast<std::size_t>(column));
                 const bool wrong = lit != is_lit(tile, row, column);
                 ++(border ? border_samples_ : samples_);
                 if (!wrong)
@@ -250,11 +249,10 @@ std::vector<PlanetRays> rays_to_disc(const Vector3& sun, std::uint32_t level)
         const double away = tangent(kSunRadius) * std::sqrt((i + 0.5) / points);
         const double turn = 2.399963 * i; // the golden angle
         const Vector3 aside = axis.across * std::cos(turn) + axis.aside * std::sin(turn);
-        rays.emplace_back(PlanetLevel{kWgs84, level, world().heights(),
-                                      [](const PlanetTile& tile) -> const TileHeights& {
-                                          return *heights_of(tile);
-                                      }},
-                          axis.to_sun + aside * away);
+        rays.emplace_back(
+            PlanetLevel{kWgs84, level, world().heights(),
+                        [](const PlanetTile& tile) -> const TileHeights& { return *heights_of(tile); }},
+            axis.to_sun + aside * away);
     }
     return rays;
 }
@@ -269,9 +267,8 @@ double part_seen(const std::vector<PlanetRays>& rays, const Vector3& direction, 
 void count_half_shadow(benchmark::State& state, const Scene& scene, const Vector3& sun, std::uint32_t level,
                        const PlanetShadows& disc)
 {
-    PlanetShadows upper = scene.shadows(sun, [](const Vector3& to_sun) {
-        return PlanetShadows(kWgs84, to_sun, kSunRadius);
-    });
+    PlanetShadows upper =
+        scene.shadows(sun, [](const Vector3& to_sun) { return PlanetShadows(kWgs84, to_sun, kSunRadius); });
     upper.settle();
     const std::vector<PlanetRays> rays = rays_to_disc(sun, level);
     double samples = 0.0;
@@ -353,7 +350,7 @@ void run_clock(benchmark::State& state, std::uint32_t level, double altitude, bo
                 continue;
             behind += length(shadows.shown_sun() - now) / length(step);
             jump = std::max(jump, length(shadows.shown_sun() - before) / length(step));
-            if (frame % 20 != 0)
+            if (frame % 5 != 0)
                 continue;
             Errors errors(shadows, now, level);
             for (const PlanetTile& tile : scene.near)
