@@ -2,6 +2,7 @@
 
 #include "ground_probe.h"
 #include "interruption.h"
+#include "lamp_errors.h"
 #include "picture_target.h"
 #include "planet_files.h"
 #include "planet_frame.h"
@@ -135,6 +136,22 @@ public:
             for (std::size_t i = 0; i < variants.size(); ++i)
                 errors[i].at(band_at(first)) += truth.errors_of(
                     i == 0 ? seen.copy() : probe.settled(scene, shadowings[i], state_at(variants[i], frame)));
+        }
+        return errors;
+    }
+
+    // The same of the shadows of lamps.
+    LampErrors lamp_errors() const
+    {
+        LampErrors errors(first_.lamps);
+        if (first_.lamps.empty() || options_.errors == 0)
+            return errors;
+        PlanetScene scene(viewed_, sources_, first_.square_pixels, execution());
+        const GroundProbe probe(options_.width, options_.height);
+        for (std::size_t pose = 0; pose < options_.errors; ++pose) {
+            cli::stop_if_interrupted();
+            const std::size_t frame = pose * (*options_.flydown_frames - 1) / (options_.errors - 1);
+            errors.compare(scene, probe, state_at({}, frame), options_.errors_step);
         }
         return errors;
     }
@@ -326,6 +343,7 @@ void fly_down(const PlanetOptions& options, cli::Report& report)
             add_shadow_cost(flight, none);
         report_flight(report, flight);
     }
+    descent.lamp_errors().add_to(report);
     window::write_report(options, report.json());
 }
 

@@ -176,6 +176,36 @@ TEST_F(PlanetApp, FindsFrontsRightAndNoShadowsWrongInLowSun)
     EXPECT_LT(wrong(2), wrong(1));
 }
 
+TEST_F(PlanetApp, FindsTheShadowsOfLampsAsRaysDo)
+{
+    const Finished finished = run({"--at",          "-155.643,20.135,500",
+                                   "--heading",     "180",
+                                   "--pitch",       "-14",
+                                   "--altitude",    "-30",
+                                   "--detail",      "0",
+                                   "--square",      "24",
+                                   "--flydown",     "2",
+                                   "--from",        "0.8",
+                                   "--to",          "400",
+                                   "--technique",   "none",
+                                   "--size",        "96x72",
+                                   "--errors",      "2",
+                                   "--errors-step", "4",
+                                   "--lamp",        "-155.6445,20.113,90,reach=700,range=4000",
+                                   "--searchlight", "-155.643,20.135,400,180,-20,20",
+                                   "--report",      "report.json"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    const auto report = nlohmann::json::parse(read_file("report.json"));
+    ASSERT_EQ(report["lamps"].size(), 2U);
+    for (const auto& lamp : report["lamps"]) {
+        EXPECT_THAT(finished.out, HasSubstr(lamp["lamp"].get<std::string>()));
+        EXPECT_GT(lamp["pixels"], 100);
+        EXPECT_LT(lamp["wrong_share"], 0.05) << lamp["lamp"];
+        EXPECT_LT(lamp["wrong_apart_share"], 0.01) << lamp["lamp"];
+    }
+    EXPECT_GT(report["lamps"][0]["dark_share"], 0.03);
+}
+
 TEST_F(PlanetApp, FliesAboutAtRandomWithinItsBounds)
 {
     const Finished finished = run({"--radius", "300", "--soak", "2", "--seed", "3", "--json"});
