@@ -1,3 +1,4 @@
+#include <duskline/geometry/invalid_input.h>
 #include <duskline/terrain/synthetic_terrain.h>
 #include <duskline/view/level_of_detail.h>
 
@@ -231,6 +232,57 @@ TEST(LevelOfDetail, WhatHasNoDataIsNotDrawn)
         EXPECT_GE(patch.column + patch_cells(patch), 190U);
     }
     EXPECT_FALSE(patches.empty());
+}
+
+constexpr auto kAll = [](const Box&) { return true; };
+
+TEST(LevelOfDetail, PatchesOfALevelCoverTheTerrainOnce)
+{
+    const Terrain terrain = mountains(150, 201);
+    const LevelOfDetail detail(terrain);
+    ASSERT_EQ(detail.levels(), 4U);
+    for (std::size_t level = 0; level < detail.levels(); ++level) {
+        const auto patches = detail.patches_of(level, kAll);
+        for (const MeshPatch& patch : patches)
+            EXPECT_EQ(patch.level, level);
+        const Grid<int> covered = covered_squares(terrain, patches);
+        for (const int cover : covered.values())
+            ASSERT_GE(cover, 0);
+    }
+    EXPECT_THROW(detail.patches_of(detail.levels(), kAll), InvalidInput);
+}
+
+TEST(LevelOfDetail, PatchesOfALevelAreThoseWantedAndLookedForOnlyAroundThem)
+{
+    const Terrain terrain = mountains(400, 500);
+    const LevelOfDetail detail(terrain);
+    const Vector3 place_m = {4100.0, -3300.0, 1000.0};
+    std::size_t questions = 0;
+    const auto near = [&](const Box& box) {
+        ++questions;
+        return distance_m(place_m, box) < 1000.0;
+    };
+    const auto patches = detail.patches_of(0, near);
+    const std::size_t asked = questions;
+    const auto all = detail.patches_of(0, kAll);
+    for (const MeshPatch& patch : all)
+        EXPECT_EQ(std::ranges::count(patches, patch), near(detail.box_of(patch)) ? 1 : 0);
+    EXPECT_GT(patches.size(), 4U);
+    EXPECT_LT(asked, all.size() / 2);
+}
+
+TEST(LevelOfDetail, PatchesOfALevelHaveData)
+{
+    Terrain terrain = mountains(200, 200);
+    std::ranges::fill(terrain.heights_m.values(), kNaN);
+    const LevelOfDetail nothing(terrain);
+    EXPECT_TRUE(nothing.patches_of(0, kAll).empty());
+    terrain.heights_m(10, 190) = 5.0f;
+    const LevelOfDetail detail(terrain);
+    EXPECT_EQ(detail.patches_of(0, kAll), (std::vector<MeshPatch>{{0, 160, 0}}));
+    EXPECT_EQ(detail.patches_of(1, kAll), (std::vector<MeshPatch>{{0, 128, 1}}));
+    const Terrain empty{Grid<float>(0, 0), {1.0, 1.0}};
+    EXPECT_TRUE(LevelOfDetail(empty).patches_of(0, kAll).empty());
 }
 
 TEST(LevelOfDetail, TakesGridsOfAnySize)
