@@ -91,6 +91,7 @@ public:
 private:
     void fly_leg()
     {
+        state_.soft = leg_ / 2 % 2 == 1; // of the fronts every other time
         const ShadowVariant& variant = next_variant();
         state_.technique = variant.technique;
         state_.shadow_map = variant.shadow_map;
