@@ -101,12 +101,22 @@ private:
         const PlanetCamera from = state_.camera;
         const PlanetCamera to = somewhere();
         const bool leap = chance_.happens(0.25);
+        light_lamp(to);
         for (std::size_t frame = 1; frame <= kFramesOfLeg; ++frame) {
             const double share = static_cast<double>(frame) / kFramesOfLeg;
             state_.camera = leap ? to : between(*viewed_.terrain, from, to, 1.0, share);
             state_.sun.direction = normalized(state_.sun.direction + turning);
             draw();
         }
+    }
+
+    // Over every fourth leg a lamp or a searchlight shines where it ends.
+    void light_lamp(const PlanetCamera& where)
+    {
+        state_.lamps.clear();
+        if (leg_ % 4 == 0)
+            state_.lamps.push_back(chance_.happens(0.5) ? lamp_at_eye(*viewed_.terrain, where)
+                                                        : searchlight_at_eye(*viewed_.terrain, where));
     }
 
     // Techniques in turn, fronts first, and any option of the shadow map between them.
