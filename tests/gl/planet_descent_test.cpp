@@ -93,22 +93,119 @@ OrientedBox space_of(const ShadowBox& box)
             {half_m, half_m, half_m + box.caster_reach_m / 2.0}};
 }
 
-// A flight down over a small planet with low sun.
+// What a map that is drawn anew changes while the eye stays: of the ground that faces the sun.
+struct Redrawn {
+    bool grown = false;   // or shrunk
+    double changed = 0.0; // share of places whose light changes by more than a quarter
+    double mean = 0.0;    // change of light
+};
+
+Redrawn change_between(const Frame& before, const Frame& after)
+{
+    Redrawn change;
+    double places = 0.0;
+    for (std::size_t i = 0; i < before.pixels.size(); ++i) {
+        const float first = before.pixels.values()[i][3];
+        const float second = after.pixels.values()[i][3];
+        if (first < 0.0f || second < 0.0f)
+            continue;
+        const double difference = std::abs(static_cast<double>(first) - static_cast<double>(second));
+        places += 1.0;
+        change.changed += difference > 0.25 ? 1.0 : 0.0;
+        change.mean += difference;
+    }
+    EXPECT_GT(places, 10000.0);
+    change.changed /= places;
+    change.mean /= places;
+    return change;
+}
+
+// With mountains 500 m high and 1 to 5 km apart, which throw shadows on each other.
+PlanetTerrain steep_planet()
+{
+    constexpr double cell_deg = 0.25;
+    constexpr std::size_t rows = 720;
+    PlanetSource source = {Grid<float>(rows, 2 * rows), Angle::from_degrees(-180.0), 90_deg,
+                           Angle::from_degrees(cell_deg), Angle::from_degrees(cell_deg)};
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < 2 * rows; ++column) {
+            const double y = static_cast<double>(row);
+            const double x = static_cast<double>(column);
+            source.heights_m(row, column) = static_cast<float>(100.0 * std::sin(0.9 * x) * std::cos(0.7 * y)
+                                                               + 150.0 * std::sin(0.21 * x + 0.3 * y));
+        }
+    std::vector<PlanetSource> sources;
+    sources.push_back(std::move(source));
+    return PlanetTerrain(sphere_of_radius(50000.0), std::move(sources),
+                         {.sea = false, .finest_spacing_m = 25.0});
+}
+
+// The sun over small_planet, low, and over steep_planet.
+Vector3 low_sun(const Globe& globe)
+{
+    const LocalFrame here = local_frame(globe, direction_of_degrees(globe, 24.0, 14.0));
+    return normalized(here.east * 0.9 + here.north * 0.4 + here.up * 0.02);
+}
+Vector3 morning_sun(const Globe& globe)
+{
+    const LocalFrame here = local_frame(globe, direction_of_degrees(globe, 20.0, 10.0));
+    return normalized(here.east * 0.9 + here.north * 0.4 + here.up * 0.3);
+}
+
+// A flight down over a small planet.
 class Flight {
 public:
-    Flight()
-        : terrain_(small_planet()), quadtree_(terrain_),
+    Flight() : Flight(small_planet(), low_sun) {}
+    Flight(PlanetTerrain terrain, Vector3 (*sun)(const Globe&))
+        : terrain_(std::move(terrain)), sun_(sun(terrain_.globe())), quadtree_(terrain_),
           renderer_(
               sources_, terrain_.globe(),
               [this](const PlanetTile& tile) -> const TileHeights& { return quadtree_.heights_of(tile); }),
-          fronts_(terrain_.globe(), sun()), places_(TextureFormat::rgba32f, kWidth, kHeight),
+          fronts_(terrain_.globe(), sun_), places_(TextureFormat::rgba32f, kWidth, kHeight),
           depth_(TextureFormat::depth32f, kWidth, kHeight), framebuffer_({&places_}, &depth_)
     {
-        light_.to_sun = sun();
+        light_.to_sun = sun_;
         follow_tiles();
     }
 
     Frame at(double share, bool by_map)
+    {
+        Frame frame = fly_to(share);
+        show(frame, by_map ? map_for(frame) : fronts());
+        return frame;
+    }
+
+    // What drawing the map anew changes there; nothing where it need not be.
+    std::optional<Redrawn> redrawn_at(double share)
+    {
+        Frame before = fly_to(share);
+        Frame after = {before.camera, before.axes, {}};
+        if (!map_)
+            map_for(before);
+        const double side_m = map_->box().side_m;
+        const std::size_t drawn = maps_drawn_;
+        show(before, by_the_map());
+        show(after, map_for(after));
+        if (drawn == maps_drawn_)
+            return std::nullopt;
+        Redrawn change = change_between(before, after);
+        change.grown = map_->box().side_m != side_m;
+        return change;
+    }
+
+    // And what one of other texels would.
+    Redrawn changed_by_size(double share, std::size_t size)
+    {
+        Frame usual = at(share, true);
+        Frame other = {usual.camera, usual.axes, {}};
+        map_.emplace(sources_, ShadowMapOptions{.size = size});
+        show(other, map_for(other));
+        map_.reset();
+        return change_between(usual, other);
+    }
+
+    // The eye, and its tiles.
+    Frame fly_to(double share)
     {
         const FlyDown flight = {
             .place = {20_deg, 10_deg}, .from_m = 60000.0, .to_m = 150.0, .last_pitch = -25_deg};
@@ -119,14 +216,17 @@ public:
             quadtree_.update(frame.camera, kWidth, kHeight, 1000);
             follow_tiles();
         } while (!quadtree_.settled());
-        const PlanetShadow shadow = by_map ? map_for(frame) : fronts();
+        return frame;
+    }
+
+    void show(Frame& frame, const PlanetShadow& shadow)
+    {
         framebuffer_.bind();
         framebuffer_.clear({kNoGround, kNoGround, kNoGround, kNoGround});
         const PlanetView view = {
             .eye_m = frame.camera.eye_m, .axes = frame.axes, .width = kWidth, .height = kHeight};
         renderer_.probe_ground(view, light_, quadtree_.patches(), shadow);
         frame.pixels = read_back<std::array<float, 4>>(places_);
-        return frame;
     }
 
     // Of frames one beside the other, over part of the way.
@@ -147,13 +247,6 @@ public:
     std::size_t maps_drawn() const { return maps_drawn_; }
 
 private:
-    Vector3 sun() const
-    {
-        const LocalFrame here =
-            local_frame(terrain_.globe(), direction_of_degrees(terrain_.globe(), 24.0, 14.0));
-        return normalized(here.east * 0.9 + here.north * 0.4 + here.up * 0.02);
-    }
-
     void follow_tiles()
     {
         for (const TileCache::Change& change : quadtree_.changes())
@@ -187,10 +280,19 @@ private:
         maps_drawn_ += map_->update(view, [&](const ShadowBox& box) {
             renderer_.draw_depth(eye_m, box_to_clip(box, eye_m), quadtree_.casters(space_of(box)));
         });
-        return {.map = &*map_};
+        return by_the_map();
+    }
+
+    // As it was drawn last.
+    PlanetShadow by_the_map() const
+    {
+        PlanetShadow shadow;
+        shadow.map = &*map_;
+        return shadow;
     }
 
     PlanetTerrain terrain_;
+    Vector3 sun_;
     PlanetQuadtree quadtree_;
     ShaderSources sources_;
     PlanetRenderer renderer_;
@@ -227,6 +329,35 @@ TEST_F(PlanetDescent, ChangesFewShadowsOfAMapWhenItsBoxChanges)
         EXPECT_GT(change.pixels, 50000U) << first;
         EXPECT_LT(static_cast<double>(change.changed_apart), 5e-3 * static_cast<double>(change.pixels))
             << first << ": " << change.changed << ", of these apart " << change.changed_apart;
+    }
+}
+
+// The eye stays while the map is drawn anew: what changes is the map's doing.
+TEST_F(PlanetDescent, DoesNotShowThatTheMapIsDrawnAnew)
+{
+    Flight flight(steep_planet(), morning_sun);
+    std::size_t moved = 0;
+    std::size_t sized = 0;
+    for (int i = 0; i < 72; ++i) {
+        const double share = 0.58 + 0.005 * i;
+        const auto change = flight.redrawn_at(share);
+        if (!change)
+            continue;
+        (change->grown ? sized : moved) += 1;
+        EXPECT_LT(change->changed, change->grown ? 8e-3 : 2e-3) << share;
+        EXPECT_LT(change->mean, change->grown ? 1.6e-2 : 4e-3) << share;
+    }
+    EXPECT_GT(moved, 20U);
+    EXPECT_GT(sized, 8U);
+}
+
+TEST_F(PlanetDescent, WouldShowMapsWhoseTexelsJump)
+{
+    for (const double share : {0.66, 0.72}) {
+        Flight flight(steep_planet(), morning_sun);
+        const Redrawn change = flight.changed_by_size(share, 320);
+        EXPECT_GT(change.changed, 1.2e-2) << share;
+        EXPECT_GT(change.mean, 2e-2) << share;
     }
 }
 

@@ -19,7 +19,8 @@ namespace duskline {
 namespace {
 
 constexpr double kStepsPerSide = 32.0;
-constexpr double kShrinksAt = 0.8;
+constexpr double kSizesPerDoubling = 6.0;
+constexpr double kShrinksAt = 0.9;
 
 // Steps are counted in doubles from a point no farther away than this many sides.
 constexpr double kFarFromFixedPoint = 4096.0;
@@ -113,9 +114,10 @@ ShadowBoxFollower::ShadowBoxFollower(const ShadowBoxOptions& options) : options_
 
 double ShadowBoxFollower::side_for(double needed_m) const
 {
-    const bool keeps =
-        box_ && needed_m <= box_->side_m && needed_m > kShrinksAt * box_->side_m / std::sqrt(2.0);
-    return keeps ? box_->side_m : std::exp2(std::ceil(2.0 * std::log2(needed_m)) / 2.0);
+    const bool keeps = box_ && needed_m <= box_->side_m
+                       && needed_m > kShrinksAt * box_->side_m / std::exp2(1.0 / kSizesPerDoubling);
+    return keeps ? box_->side_m
+                 : std::exp2(std::ceil(kSizesPerDoubling * std::log2(needed_m)) / kSizesPerDoubling);
 }
 
 void ShadowBoxFollower::turn(const Vector3& towards_light)

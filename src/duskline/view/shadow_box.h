@@ -80,9 +80,10 @@ struct ShadowBoxOptions {
 ///     r = radius / (2 cos a) at radius / (2 cos a) ahead for half views a up to 45 degrees, else
 ///     r = radius sin a       at radius cos a       ahead, and the whole ball (r = radius) from 90 degrees on,
 ///
-/// and the side is the next of 1, 1.41, 2, 2.83, ... m (powers of the root of 2) that holds it with the room to stay put
-/// below. It grows at once and shrinks only when four fifths of the next smaller side would do, so that small ups
-/// and downs never change it. (radius_m follows the clearance itself: the fade does not jump.)
+/// and the side is the next of 1, 1.12, 1.26, 1.41, ... m (powers of the sixth root of 2) that holds it with the room to stay
+/// put below: texels of another size move all edges a little, and the less the more alike they are. It grows at once and
+/// shrinks only when nine tenths of the next smaller side would do, so that small ups and downs never change it. (radius_m
+/// follows the clearance itself: the fade does not jump.)
 ///
 /// Place. The ball's centre, in whole steps of 1/32 of the map along the light's axes (also in depth), counted from a
 /// fixed point. A step is a whole number of texels, so a place keeps its place within its texel: nothing swims while
