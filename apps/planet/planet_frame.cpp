@@ -22,9 +22,9 @@ double milliseconds(bool wait, const auto& work)
 } // namespace
 
 double load_tiles(PlanetScene& scene, const PlanetState& state, std::size_t width, std::size_t height,
-                  const FrameBudget& budget)
+                  const FrameBudget& budget, bool wait)
 {
-    return milliseconds(false, [&] { scene.load(state, width, height, budget.loads); });
+    return milliseconds(wait, [&] { scene.load(state, width, height, budget.loads); });
 }
 
 double light_lamps(PlanetScene& scene, const PlanetState& state, bool exact, bool wait)
@@ -46,7 +46,7 @@ FrameCost draw_loaded(PlanetScene& scene, PlanetShadowing& shadowing, const Plan
 FrameCost draw_frame(PlanetScene& scene, PlanetShadowing& shadowing, const PlanetState& state,
                      std::size_t width, std::size_t height, const FrameBudget& budget, bool wait)
 {
-    const double load_ms = load_tiles(scene, state, width, height, budget);
+    const double load_ms = load_tiles(scene, state, width, height, budget, wait);
     const double lamps_ms = light_lamps(scene, state, false, wait);
     FrameCost cost = draw_loaded(scene, shadowing, state, width, height, budget, wait);
     cost.load_ms = load_ms;

@@ -15,10 +15,10 @@ struct FrameBudget {
 
 /// What a frame cost, by the wall clock; with `wait` the graphics card's work is part of it.
 struct FrameCost {
-    double load_ms = 0.0;  ///< choosing tiles and reading those that are new
+    double load_ms = 0.0;  ///< choosing tiles, reading those that are new and taking what is seen to the card
     double lamps_ms = 0.0; ///< drawing shadow maps of lamps
     double cast_ms = 0.0;  ///< finding shadows
-    double draw_ms = 0.0;  ///< with taking tiles to the card
+    double draw_ms = 0.0;
     gl::DrawnPlanet drawn;
     bool settled = false; ///< all that the view wants is there
 
@@ -27,7 +27,7 @@ struct FrameCost {
 
 /// Loads tiles for a frame. Says how long it took.
 double load_tiles(PlanetScene& scene, const PlanetState& state, std::size_t width, std::size_t height,
-                  const FrameBudget& budget);
+                  const FrameBudget& budget, bool wait = false);
 
 /// Brings lamps up to date for the tiles that are loaded: PlanetLamps::update. Says how long it took.
 double light_lamps(PlanetScene& scene, const PlanetState& state, bool exact, bool wait = false);

@@ -41,6 +41,7 @@ void PlanetScene::load(const PlanetState& state, std::size_t width, std::size_t 
     quadtree_.update(state.camera, width, height, most_tiles, execution_);
     if (!quadtree_.changes().empty())
         ++ground_number_;
+    renderer_.hold(quadtree_.patches());
 }
 
 void PlanetScene::load_all(const PlanetState& state, std::size_t width, std::size_t height)

@@ -24,7 +24,8 @@ public:
     PlanetScene(const PlanetScene&) = delete; // its renderer asks its quadtree
     PlanetScene& operator=(const PlanetScene&) = delete;
 
-    /// Chooses the tiles of a picture of that size and reads at most about so many of those that are missing.
+    /// Chooses the tiles of a picture of that size, reads at most about so many of those that are missing, and takes what is to
+    /// be drawn to the card.
     void load(const PlanetState& state, std::size_t width, std::size_t height, std::size_t most_tiles);
 
     /// The same with everything there, however long it takes.

@@ -68,6 +68,9 @@ public:
     /// where depth cannot be reversed.
     PlanetRenderer(const ShaderSources& sources, const Globe& globe, PlanetTextures::HeightsOf heights_of);
 
+    /// Takes these tiles and their parents to the card, ahead of drawing them. Throws what `PlanetTextures::hold` throws.
+    void hold(std::span<const PlanetPatch> patches) { hold(patches, {}); }
+
     /// Draws into the current framebuffer, whose size is the view's, over what is there; depth is cleared. Tiles on which
     /// others lie must not be among them; the parents of all are asked for too. Throws ShaderError, and what
     /// `PlanetTextures::hold` throws. Cost: vertices and pixels, and some 50 us for each tile that is new on the card.
