@@ -91,7 +91,7 @@ void PlanetScene::probe_lamp(const PlanetState& state, std::size_t width, std::s
 
 void PlanetScene::draw_casters(const Vector3& eye_m, const ShadowBox& box)
 {
-    renderer_.draw_depth(eye_m, box_to_clip(box, eye_m), quadtree_.casters(space_of(box)));
+    renderer_.draw_depth(eye_m, box_to_clip(box, eye_m), quadtree_.casters(space_of(box), box.texel_m));
 }
 
 } // namespace duskline::planet_app

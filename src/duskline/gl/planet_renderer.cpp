@@ -79,28 +79,29 @@ std::vector<float> patch_corners()
 }
 
 // Two triangles a square, counter-clockwise from outside, parted along the diagonal on which the parent's squares are.
-void add_squares(std::vector<std::uint32_t>& indices)
+void add_squares(std::uint32_t step, std::vector<std::uint32_t>& indices)
 {
     // In strips so narrow that cards still know the row before.
     constexpr std::uint32_t strip = 16;
+    static_assert(strip % kLargestPatchStep == 0);
     for (std::uint32_t first = 0; first < kTileSquares; first += strip)
-        for (std::uint32_t row = 0; row < kTileSquares; ++row)
-            for (std::uint32_t column = first; column < first + strip; ++column) {
+        for (std::uint32_t row = 0; row < kTileSquares; row += step)
+            for (std::uint32_t column = first; column < first + strip; column += step) {
                 const std::uint32_t low = row * kCornersPerLine + column;
-                const std::uint32_t high = low + kCornersPerLine;
-                indices.insert(indices.end(), {low, low + 1, high + 1, low, high + 1, high});
+                const std::uint32_t high = low + step * kCornersPerLine;
+                indices.insert(indices.end(), {low, low + step, high + step, low, high + step, high});
             }
 }
 
-void add_seams(std::vector<std::uint32_t>& indices)
+void add_seams(std::uint32_t step, std::vector<std::uint32_t>& indices)
 {
     const auto upper = [](std::uint32_t i) {
         const auto [column, row] = border_corner(i);
         return row * kCornersPerLine + column;
     };
     const auto lower = [](std::uint32_t i) { return kCornersPerLine * kCornersPerLine + i; };
-    for (std::uint32_t i = 0; i < kBorderCorners; ++i) {
-        const std::uint32_t next = (i + 1) % kBorderCorners;
+    for (std::uint32_t i = 0; i < kBorderCorners; i += step) {
+        const std::uint32_t next = (i + step) % kBorderCorners;
         indices.insert(indices.end(), {upper(i), lower(i), lower(next), upper(i), lower(next), upper(next)});
     }
 }
@@ -144,9 +145,12 @@ PlanetRenderer::PlanetRenderer(const ShaderSources& sources, const Globe& globe,
     require_reversed_depth();
     corners_.upload(patch_corners());
     std::vector<std::uint32_t> indices;
-    add_squares(indices);
-    add_seams(indices);
-    patch_indices_ = indices.size();
+    for (std::uint32_t step = 1; step <= kLargestPatchStep; step *= 2) {
+        const std::size_t first = indices.size();
+        add_squares(step, indices);
+        add_seams(step, indices);
+        meshes_.push_back({step, first, indices.size() - first});
+    }
     indices_.upload(indices);
     patch_.set_floats(0, corners_, 3, 3 * sizeof(float));
     patch_.set_indices(indices_);
@@ -231,7 +235,6 @@ void PlanetRenderer::set_surface(const Program& program) const
     program.set("planet_measured", static_cast<int>(Unit::measured));
     program.set("planet_shadows_m", static_cast<int>(Unit::shadows));
     program.set("planet_second_shadows_m", static_cast<int>(Unit::second_shadows));
-    tiles_.bind_as_storage(0);
 }
 
 void PlanetRenderer::set_air(const Program& program, const Vector3& eye_m, const PlanetLight& light) const
@@ -262,11 +265,27 @@ void PlanetRenderer::draw_sky(const PlanetView& view, const PlanetLight& light)
     no_vertices_.draw(VertexArray::Shape::triangles, 0, 3);
 }
 
-DrawnPlanet PlanetRenderer::draw_patches(std::size_t patches) const
+// Those of the same mesh at once.
+DrawnPlanet PlanetRenderer::draw_patches(const Program& program, const Vector3& eye_m,
+                                         std::span<const PlanetPatch> patches)
 {
-    if (patches > 0)
-        patch_.draw_indexed(VertexArray::Shape::triangles, 0, patch_indices_, patches);
-    return {patches, patches * patch_indices_ / 3};
+    std::vector<PlanetPatch> by_step(patches.begin(), patches.end());
+    std::ranges::stable_sort(by_step, {}, &PlanetPatch::step);
+    upload_tiles(eye_m, by_step);
+    tiles_.bind_as_storage(0);
+    DrawnPlanet drawn;
+    for (const Mesh& mesh : meshes_) {
+        const auto count =
+            static_cast<std::size_t>(std::ranges::count(by_step, mesh.step, &PlanetPatch::step));
+        if (count == 0)
+            continue;
+        program.set("first_tile", static_cast<int>(drawn.tiles));
+        program.set("mesh_step", static_cast<float>(mesh.step));
+        patch_.draw_indexed(VertexArray::Shape::triangles, mesh.first_index, mesh.indices, count);
+        drawn.tiles += count;
+        drawn.triangles += count * mesh.indices / 3;
+    }
+    return drawn;
 }
 
 DrawnPlanet PlanetRenderer::draw(const PlanetView& view, const PlanetLight& light,
@@ -300,7 +319,6 @@ DrawnPlanet PlanetRenderer::draw_with(const Asked& asked, const PlanetView& view
                                       std::span<const PlanetPatch> patches, const PlanetShadow& shadow)
 {
     hold(patches, shadow);
-    upload_tiles(view.eye_m, patches);
     const Program& program = ground_program(light, shadow, asked);
     const double aspect = static_cast<double>(view.width) / static_cast<double>(view.height);
     program.use();
@@ -318,18 +336,17 @@ DrawnPlanet PlanetRenderer::draw_with(const Asked& asked, const PlanetView& view
     program.set("show_made", view.show_made ? 1 : 0);
     glDisable(GL_CULL_FACE);
     const ReversedDepth depth;
-    return draw_patches(patches.size());
+    return draw_patches(program, view.eye_m, patches);
 }
 
 DrawnPlanet PlanetRenderer::draw_depth(const Vector3& eye_m, const Matrix4& to_clip,
                                        std::span<const PlanetPatch> patches)
 {
     hold(patches, {});
-    upload_tiles(eye_m, patches);
     depth_.use();
     set_surface(depth_);
     depth_.set_matrix("to_clip", to_clip);
-    return draw_patches(patches.size());
+    return draw_patches(depth_, eye_m, patches);
 }
 
 bool PlanetRenderer::reload_if_changed()

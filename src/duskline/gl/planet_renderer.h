@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
@@ -112,11 +113,12 @@ private:
     DrawnPlanet draw_with(const Asked& asked, const PlanetView& view, const PlanetLight& light,
                           std::span<const PlanetPatch> patches, const PlanetShadow& shadow);
     void hold(std::span<const PlanetPatch> patches, const PlanetShadow& shadow);
+    DrawnPlanet draw_patches(const Program& program, const Vector3& eye_m,
+                             std::span<const PlanetPatch> patches);
     void upload_tiles(const Vector3& eye_m, std::span<const PlanetPatch> patches);
     void set_surface(const Program& program) const;
     void set_air(const Program& program, const Vector3& eye_m, const PlanetLight& light) const;
     void draw_sky(const PlanetView& view, const PlanetLight& light);
-    DrawnPlanet draw_patches(std::size_t patches) const;
 
     const ShaderSources& sources_;
     Globe globe_;
@@ -132,7 +134,12 @@ private:
     Buffer tiles_;
     Buffer shadow_map_block_;
     Buffer lamp_block_;
-    std::size_t patch_indices_ = 0;
+    struct Mesh {
+        std::uint32_t step;
+        std::size_t first_index;
+        std::size_t indices;
+    };
+    std::vector<Mesh> meshes_; ///< of a patch, by its step
 };
 
 } // namespace duskline::gl

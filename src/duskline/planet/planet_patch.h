@@ -3,6 +3,8 @@
 #include <duskline/planet/planet_tile.h>
 #include <duskline/view/level_of_detail.h>
 
+#include <cstdint>
+
 namespace duskline {
 
 /// A tile to draw, and at what distances from the eye its mesh turns into its parent's: from `begin_m` on each vertex moves,
@@ -11,6 +13,10 @@ namespace duskline {
 struct PlanetPatch {
     PlanetTile tile;
     MorphRange morph;
+    std::uint32_t step =
+        1; ///< every so many-th corner is enough, as seen from the eye: 1, 2, 4 or kLargestPatchStep
 };
+
+inline constexpr std::uint32_t kLargestPatchStep = 8;
 
 } // namespace duskline

@@ -27,6 +27,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMorphBegins = 0.7;
 constexpr double kLeastGrowth = 1.15;
 
+// Squares of meshes with fewer corners, in the picture.
+constexpr double kSkippingPixels = 2.0;
+
 // Of a tile's box over its side, before any is loaded.
 constexpr double kUsualDiagonal = 1.5;
 
@@ -217,11 +220,21 @@ void PlanetQuadtree::select(const PlanetTile& tile, const View& view)
     if (!view.may_see(loaded))
         return;
     if (!is_split(tile, distance_m(view.eye_m, loaded.box))) {
-        patches_.push_back({tile, ranges_[tile.level]});
+        patches_.push_back(patch_of(tile, distance_m(view.eye_m, loaded.box), 0.0));
         return;
     }
     for (const PlanetTile& child : children_of(tile))
         select(child, view);
+}
+
+PlanetPatch PlanetQuadtree::patch_of(const PlanetTile& tile, double distance_m, double coarsest_m) const
+{
+    const double square_m = spacing_m(terrain_.globe(), tile.level);
+    const double enough_m = std::max(coarsest_m, drawn_radians_ * distance_m);
+    std::uint32_t step = 1;
+    while (step < kLargestPatchStep && 2.0 * step * square_m <= enough_m)
+        step *= 2;
+    return {tile, ranges_[tile.level], step};
 }
 
 void PlanetQuadtree::update(const PlanetCamera& camera, std::size_t width, std::size_t height,
@@ -234,6 +247,7 @@ void PlanetQuadtree::update(const PlanetCamera& camera, std::size_t width, std::
     const double per_radian =
         pixels_per_radian({{}, {}, {}, camera.vertical_view}, static_cast<double>(height));
     eye_m_ = camera.eye_m;
+    drawn_radians_ = std::min(options_.square_pixels, kSkippingPixels) / per_radian;
     View view = {camera.eye_m, PlanetFrustum(terrain_.globe(), camera, aspect),
                  Horizon(terrain_, camera.eye_m), wanted_ends_m(per_radian)};
     if (updated_) // the first frame has begun with the tiles of level 0
@@ -253,25 +267,26 @@ void PlanetQuadtree::update(const PlanetCamera& camera, std::size_t width, std::
     }
 }
 
-void PlanetQuadtree::add_casters(const PlanetTile& tile, const OrientedBox& light_box,
+void PlanetQuadtree::add_casters(const PlanetTile& tile, const OrientedBox& light_box, double coarsest_m,
                                  std::vector<PlanetPatch>& casters) const
 {
     const LoadedTile& loaded = *cache_.find(tile);
     if (!may_touch(loaded.box, light_box))
         return;
-    if (!is_split(tile, distance_m(eye_m_, loaded.box)) || !has_children(tile)) {
-        casters.push_back({tile, ranges_[tile.level]});
+    const double distance = distance_m(eye_m_, loaded.box);
+    if (!is_split(tile, distance) || !has_children(tile)) {
+        casters.push_back(patch_of(tile, distance, coarsest_m));
         return;
     }
     for (const PlanetTile& child : children_of(tile))
-        add_casters(child, light_box, casters);
+        add_casters(child, light_box, coarsest_m, casters);
 }
 
-std::vector<PlanetPatch> PlanetQuadtree::casters(const OrientedBox& light_box) const
+std::vector<PlanetPatch> PlanetQuadtree::casters(const OrientedBox& light_box, double coarsest_m) const
 {
     std::vector<PlanetPatch> casters;
     for (std::uint32_t face = 0; face < kCubeFaces; ++face)
-        add_casters({face, 0, 0, 0}, light_box, casters);
+        add_casters({face, 0, 0, 0}, light_box, coarsest_m, casters);
     return casters;
 }
 

@@ -34,6 +34,9 @@ struct PlanetQuadtreeOptions {
 /// to turn: no cracks. A TILE THAT IS NOT YET LOADED PULLS THE END OF ITS LEVEL, and of finer ones, in before it, so this
 /// holds at every moment; as tiles arrive, from near to far and coarse to fine, the ends move out to where they belong.
 ///
+/// Tiles have as many squares near and far, so in small pictures these are smaller than pixels. Where every second, fourth or
+/// eighth corner still gives squares of at most two pixels (and of `square_pixels`), patches say so (PlanetPatch::step).
+///
 /// What the planet itself hides (the horizon, of a globe as low as the lowest ground) and what lies out of view is left out.
 class PlanetQuadtree {
 public:
@@ -53,8 +56,9 @@ public:
     bool settled() const { return settled_; }
 
     /// What may cast shadows into or within a box (stretched towards the light): loaded tiles that reach into it, each place
-    /// once, as finely as they are drawn or, out of view, as they happen to be loaded.
-    std::vector<PlanetPatch> casters(const OrientedBox& light_box) const;
+    /// once, as finely as they are drawn or, out of view, as they happen to be loaded. Squares up to `coarsest_m`, such as a
+    /// texel of the shadow map, are fine enough in any case.
+    std::vector<PlanetPatch> casters(const OrientedBox& light_box, double coarsest_m = 0.0) const;
 
     /// Of a tile that is loaded: all of `patches()` and `casters()`, and their ancestors.
     const TileHeights& heights_of(const PlanetTile& tile) const;
@@ -86,14 +90,16 @@ private:
     std::size_t load(View& view, std::size_t most_loads, const Execution& execution);
     void set_ranges(const std::vector<double>& ends_m);
     void select(const PlanetTile& tile, const View& view);
-    void add_casters(const PlanetTile& tile, const OrientedBox& light_box,
+    void add_casters(const PlanetTile& tile, const OrientedBox& light_box, double coarsest_m,
                      std::vector<PlanetPatch>& casters) const;
+    PlanetPatch patch_of(const PlanetTile& tile, double distance_m, double coarsest_m) const;
     bool is_split(const PlanetTile& tile, double distance_m) const;
 
     const PlanetTerrain& terrain_;
     PlanetQuadtreeOptions options_;
     TileCache cache_;
     Vector3 eye_m_;
+    double drawn_radians_ = 0.0; ///< that squares may take of the view where corners are skipped
     std::vector<MorphRange> ranges_;
     std::vector<PlanetPatch> patches_;
     bool updated_ = false;

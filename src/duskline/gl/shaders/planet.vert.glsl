@@ -18,7 +18,7 @@ flat out vec2 second_shadows; // their shares, of the tile's shadows and the par
 
 void main()
 {
-    PlanetTile tile = tiles[gl_InstanceID];
+    PlanetTile tile = tiles[first_tile + gl_InstanceID];
     PlanetCorner here = planet_corner(tile, ivec2(corner.xy));
     from_eye_m = here.from_eye_m;
     height_m = here.height_m;

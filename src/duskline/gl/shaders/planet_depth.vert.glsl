@@ -10,6 +10,8 @@ uniform mat4 to_clip;
 
 void main()
 {
-    PlanetTile tile = tiles[gl_InstanceID];
-    gl_Position = to_clip * vec4(planet_corner(tile, ivec2(corner.xy)).from_eye_m, 1.0);
+    PlanetTile tile = tiles[first_tile + gl_InstanceID];
+    vec3 outwards = normalize(tile.middle + on_face(tile, corner.xy));
+    vec3 from_eye_m = planet_corner(tile, ivec2(corner.xy)).from_eye_m - corner.z * seam_depth_m(tile) * outwards;
+    gl_Position = to_clip * vec4(from_eye_m, 1.0);
 }

@@ -37,6 +37,8 @@ layout(std430, binding = 0) readonly buffer Tiles
     PlanetTile tiles[];
 };
 
+uniform int first_tile;  // of those that are drawn at once
+uniform float mesh_step; // their mesh has every so many-th corner
 uniform sampler2DArray planet_heights_m;
 uniform vec3 norm; // 1, 1 and the square of equatorial over polar radius
 uniform float equatorial_radius_m;
@@ -124,8 +126,8 @@ vec3 planet_normal(PlanetTile tile, ivec2 corner, float turned)
     return normalize(mix(own, normal_of(tile, vec2(corner), rise_m, 4.0), turned));
 }
 
-// Metres that the seams hang down under a tile's border, to hide what rounding and tiles still to come leave open.
+// Metres that the seams hang down under a tile's border, to hide what rounding and meshes of other steps leave open.
 float seam_depth_m(PlanetTile tile)
 {
-    return tile.step * equatorial_radius_m;
+    return mesh_step * tile.step * equatorial_radius_m;
 }
