@@ -4,7 +4,8 @@ gets wrong, in all and by height over the ground.
 
 usage: tools/descent_table.py REPORT.json...
 
-    REPORT.json   written by --report; of several the flights are put together, and must be of the same size, frames and way
+    REPORT.json   written by --report; of several the flights are put together, and must be of the same size, frames and way;
+                  times of loading are those of the first
 """
 
 import json
@@ -22,22 +23,21 @@ def table(head, rows):
     return "\n".join([row(head), "|" + "---|" * len(head), *map(row, rows)])
 
 
-def milliseconds(figures, key):
-    return f"{figures[key]:.1f}" if key in figures else ""
+def milliseconds(figures, times, which):
+    return f"{figures[times][which]:.1f}" if times in figures else ""
 
 
 def share(figures, key):
     return f"{100 * figures['errors'][key]:.2f} %" if "errors" in figures else ""
 
 
-def costs(figures):
-    return [milliseconds(figures, key) for key in ("mean_frame_ms", "mean_load_ms", "mean_cast_ms", "mean_draw_ms", "shadow_ms")]
+TIMES = [("frame_ms", "median"), ("frame_ms", "p99"), ("cast_ms", "median"), ("cast_ms", "mean"), ("cast_ms", "p99"),
+         ("draw_ms", "median"), ("draw_ms", "p99"), ("shadow_ms", "median"), ("shadow_ms", "p99")]
 
 
 def all_table(flights):
-    head = ["technique", "frame, ms", "load", "cast", "draw", "more than `none`", "pixels wrong", "apart from edges"]
-    return table(head, ([f"`{flight['technique']}`", *costs(flight), share(flight, "wrong_share"),
-                         share(flight, "wrong_apart_share")] for flight in flights))
+    head = ["technique", "frame, ms", "99 %", "cast", "mean", "99 %", "draw", "99 %", "more than `none`", "99 %"]
+    return table(head, ([f"`{flight['technique']}`", *(milliseconds(flight, *key) for key in TIMES)] for flight in flights))
 
 
 def band_names(flights):
@@ -55,8 +55,27 @@ def wrong(band):
     return f"{share(band, 'wrong_share')} ({share(band, 'wrong_apart_share')})" if "errors" in band else ""
 
 
-def cost(band):
-    return "{} + {}".format(milliseconds(band, "mean_cast_ms"), milliseconds(band, "mean_draw_ms"))
+def more(band):
+    return "{} ({})".format(milliseconds(band, "shadow_ms", "median"), milliseconds(band, "shadow_ms", "p99")) if "shadow_ms" in band else ""
+
+
+def drawing(band):
+    return "{} ({})".format(milliseconds(band, "draw_ms", "median"), milliseconds(band, "draw_ms", "p99"))
+
+
+def loading_table(report):
+    """How many frames there are, and what choosing and reading tiles took in them."""
+    return table(["", *(band["band"] for band in report["bands"])],
+                 [["frames", *(str(band["frames"]) for band in report["bands"])],
+                  ["load, ms", *("{} ({})".format(milliseconds(band, "load_ms", "median"), milliseconds(band, "load_ms", "p99"))
+                                 for band in report["bands"])]])
+
+
+def error_table(flights):
+    """By band, and in all."""
+    rows = band_table(flights, wrong).splitlines()
+    extra = ["in all", "---", *(wrong(flight) for flight in flights)]
+    return "\n".join(line + (f"{cell}|" if cell == "---" else f" {cell} |") for line, cell in zip(rows, extra))
 
 
 def main(names):
@@ -68,11 +87,17 @@ def main(names):
     flights = [flight for report in reports for flight in report["descents"]]
     print(f"{first['renderer']}; {first['width']} x {first['height']} pixels, {first['frames']} frames from {first['from_km']:g} km to "
           f"{first['to_m']:g} m; shadows of {first['error_frames']} frames compared\n")
+    print("Times. Medians, and what 99 of 100 frames do not exceed; maps are not drawn in every frame, so the mean says what they take:\n")
     print(all_table(flights))
-    print("\nPixels wrong (of all, those apart from edges):\n")
-    print(band_table(flights, wrong))
-    print("\nMilliseconds to find shadows + to draw:\n")
-    print(band_table(flights, cost))
+    print("\nTiles, chosen and read once a frame for all: median (99 %):\n")
+    print(loading_table(first))
+    print("\nMilliseconds more than `none` in the same frames, median (99 %):\n")
+    print(band_table([flight for flight in flights if flight["technique"] != "none"], more))
+    print("\nMilliseconds to draw, median (99 %):\n")
+    print(band_table(flights, drawing))
+    if any("errors" in flight for flight in flights):
+        print("\nErrors. Pixels wrong (of all, those apart from edges):\n")
+        print(error_table(flights))
 
 
 if __name__ == "__main__":

@@ -318,6 +318,30 @@ TEST_F(PlanetPicture, MarksWhatIsMadeUp)
     EXPECT_GT(middle(false, true)[0], middle(false, false)[0] + 20);
 }
 
+// Tiles of all steps side by side, and squares of less than a pixel.
+TEST_F(PlanetPicture, LooksTheSameAndHasNoHolesWithFewerCorners)
+{
+    Scene scene(kWgs84, mountains(20000.0, 23.0));
+    const Vector3 eye_m = normalized({0.9, 0.35, 0.85}) * (kRadius_m + 3e6);
+    const PlanetView view = scene.view_from(eye_m, 20.0, -90.0);
+    const auto all = whole_level(3);
+    auto fewer = all;
+    for (std::size_t i = 0; i < fewer.size(); ++i)
+        fewer[i].step = 1U << (i % 4);
+    const Pixels with_all = scene.picture(view, all);
+    const Pixels with_fewer = scene.picture(view, fewer);
+    EXPECT_EQ(count(with_fewer, kBackground), 0U);
+    double apart = 0.0;
+    for (std::size_t i = 0; i < with_all.size(); ++i)
+        apart += std::abs(brightness(with_all.values()[i]) - brightness(with_fewer.values()[i]));
+    EXPECT_LT(apart / static_cast<double>(3 * with_all.size()), 3.0); // of 255
+    EXPECT_NE(with_all.values(), with_fewer.values());
+
+    const DrawnPlanet drawn = scene.renderer.draw_ground(view, scene.light, fewer);
+    EXPECT_EQ(drawn.tiles, fewer.size());
+    EXPECT_LT(3 * drawn.triangles, scene.renderer.draw_ground(view, scene.light, all).triangles * 2);
+}
+
 // What a light sees, from where the eye sees too: the same depth to a few units in the last place.
 TEST_F(PlanetPicture, HasOneMeshForEyesAndLights)
 {

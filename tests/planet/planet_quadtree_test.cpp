@@ -407,6 +407,71 @@ TEST(PlanetQuadtree, CastersCoverTheLightBoxOnceAndAsFinelyAsDrawn)
     }
 }
 
+// Pixels of a patch's squares where they are largest.
+double pixels_of_squares(const PlanetQuadtree& quadtree, const PlanetPatch& patch, const Vector3& eye_m)
+{
+    const double square_m = patch.step * spacing_m(quadtree.terrain().globe(), patch.tile.level);
+    return square_m * kPixelsPerRadian / distance_m(eye_m, quadtree.tiles().find(patch.tile)->box);
+}
+
+TEST(PlanetQuadtree, SkipsAsManyCornersAsMakeSquaresOfTwoPixels)
+{
+    const PlanetTerrain terrain = small_planet();
+    PlanetQuadtree quadtree(terrain);
+    std::array<std::size_t, kLargestPatchStep + 1> patches_of_step = {};
+    for (const double over_ground_m : {5.0, 2000.0, 300000.0, 4e6}) {
+        const PlanetCamera camera =
+            kept_above_ground(camera_over(terrain.globe(), {20_deg, 10_deg}, 0.0), terrain, over_ground_m);
+        quadtree.update(camera, kWidth, kHeight, kAll);
+        for (const PlanetPatch& patch : quadtree.patches()) {
+            ++patches_of_step.at(patch.step);
+            const double pixels = pixels_of_squares(quadtree, patch, camera.eye_m);
+            if (patch.step > 1)
+                EXPECT_LE(pixels, 2.0001) << patch.step;
+            if (patch.step < kLargestPatchStep)
+                EXPECT_GT(pixels, 0.9999) << patch.step;
+        }
+    }
+    for (const std::size_t step : {1U, 2U, 4U, 8U})
+        EXPECT_GT(patches_of_step.at(step), 0U) << step;
+}
+
+TEST(PlanetQuadtree, SkipsNoCornersThatItsOptionsAskFor)
+{
+    const PlanetTerrain terrain = small_planet();
+    PlanetQuadtree quadtree(terrain, {.square_pixels = 0.5});
+    const PlanetCamera camera = camera_over(terrain.globe(), {20_deg, 10_deg}, 1e6);
+    quadtree.update(camera, kWidth, kHeight, kAll);
+    for (const PlanetPatch& patch : quadtree.patches())
+        if (patch.step > 1)
+            EXPECT_LE(pixels_of_squares(quadtree, patch, camera.eye_m), 0.5001);
+}
+
+TEST(PlanetQuadtree, SkipsCornersOfCastersThatAreFinerThanTheTexels)
+{
+    const PlanetTerrain terrain = small_planet();
+    PlanetQuadtree quadtree(terrain);
+    const PlanetCamera camera =
+        kept_above_ground(camera_over(terrain.globe(), {20_deg, 10_deg}, 0.0), terrain, 50.0);
+    quadtree.update(camera, kWidth, kHeight, kAll);
+    const LocalFrame frame = local_frame(terrain.globe(), normalized(camera.eye_m));
+    const OrientedBox box = {camera.eye_m, {frame.east, frame.north, frame.up}, {4000.0, 4000.0, 4000.0}};
+    const std::vector<PlanetPatch> fine = quadtree.casters(box);
+    const double texel_m = 4.0 * spacing_m(terrain.globe(), terrain.deepest_level());
+    const std::vector<PlanetPatch> coarse = quadtree.casters(box, texel_m);
+    ASSERT_EQ(fine.size(), coarse.size());
+    std::size_t skipped = 0;
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+        EXPECT_EQ(fine[i].tile, coarse[i].tile);
+        EXPECT_GE(coarse[i].step, fine[i].step);
+        if (coarse[i].step == fine[i].step)
+            continue;
+        ++skipped;
+        EXPECT_LE(coarse[i].step * spacing_m(terrain.globe(), coarse[i].tile.level), 1.0001 * texel_m);
+    }
+    EXPECT_GT(skipped, 3U);
+}
+
 TEST(PlanetQuadtree, RefusesOptionsAndPicturesThatAreNone)
 {
     const PlanetTerrain terrain = small_planet();

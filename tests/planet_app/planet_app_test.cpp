@@ -127,7 +127,44 @@ TEST_F(PlanetApp, ReportsADescentWithEveryTechnique)
         for (const auto& band : descent["bands"])
             frames += band["frames"].get<std::size_t>();
         EXPECT_EQ(frames, 4U);
+        for (const char* times : {"frame_ms", "cast_ms", "draw_ms", "shadow_ms"})
+            EXPECT_LE(descent[times]["median"], descent[times]["p99"]) << technique << ' ' << times;
+        // A frame is loading, which is the same for all, finding shadows and drawing.
+        EXPECT_NEAR(descent["frame_ms"]["mean"].get<double>(),
+                    report["load_ms"]["mean"].get<double>() + descent["cast_ms"]["mean"].get<double>()
+                        + descent["draw_ms"]["mean"].get<double>(),
+                    1e-6);
         EXPECT_NE(read(technique + "_0000.png").values, read(technique + "_0003.png").values);
+    }
+}
+
+// Variants share ground and frames: none may leave anything to the next, in whatever order they come.
+TEST_F(PlanetApp, DrawsTheSameFramesTogetherAsAlone)
+{
+    const auto fly = [&](const std::string& technique, const std::string& folder) {
+        ASSERT_EQ(run_program({"mkdir", folder}).exit_code, 0);
+        const Finished finished = run({"--at",         "-155.62,20.10,100",
+                                       "--heading",    "220",
+                                       "--altitude",   "10",
+                                       "--detail",     "0",
+                                       "--square",     "30",
+                                       "--flydown",    "3",
+                                       "--from",       "2",
+                                       "--to",         "500",
+                                       "--technique",  technique,
+                                       "--size",       "64x48",
+                                       "--frames",     folder,
+                                       "--shadow-map", "size=512",
+                                       "--threads",    "1"});
+        ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    };
+    fly("all", "together");
+    for (const std::string technique : {"shadow-map", "fronts"}) {
+        fly(technique, technique);
+        for (const char* frame : {"0000", "0001", "0002"}) {
+            const std::string name = technique + "_" + frame + ".png";
+            EXPECT_EQ(read("together/" + name).values, read(technique + "/" + name).values) << name;
+        }
     }
 }
 

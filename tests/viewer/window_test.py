@@ -9,53 +9,13 @@ import json
 import math
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
 import time
 
-PATIENCE_S = 60
-
-
-def wait_until(condition, what):
-    end = time.monotonic() + PATIENCE_S
-    while time.monotonic() < end:
-        found = condition()
-        if found:
-            return found
-        time.sleep(0.1)
-    sys.exit(f"window_test: waited in vain for {what}")
-
-
-class Display:
-    """A virtual display of its own, and hands on it."""
-
-    def __init__(self):
-        read_end, write_end = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "800x600x24", "-nolisten", "tcp"],
-            pass_fds=[write_end], stderr=subprocess.DEVNULL)
-        os.close(write_end)
-        self.name = ":" + os.fdopen(read_end).readline().strip()
-        self.environment = {**os.environ, "DISPLAY": self.name}
-        self.environment.pop("WAYLAND_DISPLAY", None)
-
-    def do(self, *words):
-        return subprocess.run(["xdotool", *map(str, words)], env=self.environment, capture_output=True, text=True).stdout
-
-    def hold(self, key, condition, what):
-        """A frame may take long; a key that is let go too early was never down."""
-        self.do("keydown", key)
-        try:
-            return wait_until(condition, what)
-        finally:
-            self.do("keyup", key)
-            time.sleep(0.5)
-
-    def close(self):
-        self.server.terminate()
-        self.server.wait()
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "window"))
+from virtual_display import PATIENCE_S, Display, expect_refusal, skip_without_display  # noqa: E402
 
 
 def write_hill(path):
@@ -65,14 +25,10 @@ def write_hill(path):
 
 def use(display, viewer, folder):
     def saved_state():
-        before = set(folder.glob("duskline-state-*.json"))
-        new = display.hold("F2", lambda: set(folder.glob("duskline-state-*.json")) - before, "a saved state")
-        return json.loads(new.pop().read_text())
+        return json.loads(display.new_file("F2", folder, "duskline-state-*.json", "a saved state").read_text())
 
     def screenshot():
-        before = set(folder.glob("duskline-0*.png"))
-        new = display.hold("F12", lambda: set(folder.glob("duskline-0*.png")) - before, "a screenshot")
-        return new.pop().read_bytes()
+        return display.new_file("F12", folder, "duskline-0*.png", "a screenshot").read_bytes()
 
     def press(key):
         display.do("keydown", key)
@@ -80,33 +36,19 @@ def use(display, viewer, folder):
         display.do("keyup", key)
         time.sleep(0.3)
 
-    window = wait_until(lambda: display.do("search", "--name", "Duskline: ").split(), "the window")[0]
-    display.do("windowfocus", window)
-    display.do("mousemove", 500, 300)
+    display.focus_window()
     first = saved_state()
     assert first["technique"] == "exact", first
 
     # Shift and drag: the sun moves clockwise and up.
-    display.do("keydown", "shift", "mousedown", 1)
-    time.sleep(1.0)
-    for _ in range(10):
-        display.do("mousemove_relative", "--", 8, -5)
-        time.sleep(0.2)
-    display.do("mouseup", 1, "keyup", "shift")
-    time.sleep(0.5)
+    display.drag(8, -5, 10, "shift")
     dragged = saved_state()
     assert dragged["light"]["altitude_deg"] > first["light"]["altitude_deg"] + 1, (first, dragged)
     assert dragged["light"]["azimuth_deg"] != first["light"]["azimuth_deg"]
     assert dragged["camera"] == first["camera"], (first, dragged)
 
     # Drag: the camera turns around the hill, the sun stays.
-    display.do("mousedown", 1)
-    time.sleep(1.0)
-    for _ in range(5):
-        display.do("mousemove_relative", "--", 10, 0)
-        time.sleep(0.2)
-    display.do("mouseup", 1)
-    time.sleep(0.5)
+    display.drag(10, 0, 5)
     turned = saved_state()
     assert turned["camera"]["heading_deg"] != dragged["camera"]["heading_deg"]
     assert turned["light"] == dragged["light"]
@@ -148,15 +90,6 @@ def use(display, viewer, folder):
     assert code == 0, f"left with {code}"
 
 
-def expect_refusal(program, display, folder):
-    """An OpenGL that is too old is one line and exit code 5; drivers other than Mesa's do not take the order."""
-    environment = {**display.environment, "MESA_GL_VERSION_OVERRIDE": "4.2"}
-    refused = subprocess.run([program, "hill.asc"], cwd=folder, env=environment, capture_output=True, text=True, timeout=PATIENCE_S)
-    assert refused.returncode == 5, refused
-    assert refused.stderr.startswith("duskline-viewer: no window with OpenGL 4.3 can be opened"), refused.stderr
-    assert refused.stderr.count("\n") == 1, refused.stderr
-
-
 def look(program, display, folder):
     viewer = subprocess.Popen([program, "hill.asc", "--size", "640x480"], cwd=folder, env=display.environment)
     try:
@@ -167,19 +100,13 @@ def look(program, display, folder):
 
 
 def main(program):
-    for needed in ("Xvfb", "xdotool"):
-        if not shutil.which(needed):
-            print(f"skipped: no {needed} here")
-            sys.exit(77)
-    with tempfile.TemporaryDirectory() as name:
+    skip_without_display()
+    with tempfile.TemporaryDirectory() as name, Display() as display:
         folder = pathlib.Path(name)
         write_hill(folder / "hill.asc")
-        display = Display()
-        try:
-            look(program, display, folder)
-            expect_refusal(program, display, folder)
-        finally:
-            display.close()
+        look(program, display, folder)
+        expect_refusal(program, ["hill.asc"], display, folder,
+                       "duskline-viewer: no window with OpenGL 4.3 can be opened")
     print("the sun was dragged, the ground raised and set in motion, techniques changed, things shown, pictures taken")
 
 

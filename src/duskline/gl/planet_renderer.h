@@ -108,6 +108,11 @@ public:
 
 private:
     struct Asked;
+    struct Mesh {
+        std::uint32_t step;
+        std::size_t first_index;
+        std::size_t indices;
+    };
 
     const Program& ground_program(const PlanetLight& light, const PlanetShadow& shadow, const Asked& asked);
     DrawnPlanet draw_with(const Asked& asked, const PlanetView& view, const PlanetLight& light,
@@ -134,11 +139,6 @@ private:
     Buffer tiles_;
     Buffer shadow_map_block_;
     Buffer lamp_block_;
-    struct Mesh {
-        std::uint32_t step;
-        std::size_t first_index;
-        std::size_t indices;
-    };
     std::vector<Mesh> meshes_; ///< of a patch, by its step
 };
 
