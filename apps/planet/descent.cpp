@@ -112,6 +112,7 @@ private:
     {
         const PlanetState any = state_at(variants_.front(), frame);
         const double load_ms = load_tiles(scene, any, options_.width, options_.height, kBudget, true);
+        const double lamps_ms = light_lamps(scene, any, false, true);
         std::vector<FrameCost> costs(variants_.size());
         for (std::size_t i = 0; i < variants_.size(); ++i) {
             const std::size_t which = (frame + i) % variants_.size();
@@ -119,6 +120,7 @@ private:
             costs[which] = draw_loaded(scene, shadowings[which], state_at(variants_[which], frame),
                                        options_.width, options_.height, kBudget, true);
             costs[which].load_ms = load_ms;
+            costs[which].lamps_ms = lamps_ms;
             if (!options_.frames.empty())
                 write_frame(variants_[which], frame);
         }

@@ -36,7 +36,7 @@ def use(display, viewer, folder):
         display.do("keyup", key)
         time.sleep(0.3)
 
-    display.focus_window()
+    display.focus_window(500, 300)
     first = saved_state()
     assert first["technique"] == "exact", first
 

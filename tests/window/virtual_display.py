@@ -1,5 +1,6 @@
 """A virtual display of its own and hands on it, for tests that open windows. Xvfb is the display, xdotool the hands."""
 
+import itertools
 import os
 import shutil
 import subprocess
@@ -48,19 +49,19 @@ class Display:
     def do(self, *words):
         return subprocess.run(["xdotool", *map(str, words)], env=self.environment, capture_output=True, text=True).stdout
 
-    def hold(self, key, condition, what):
-        """A frame may take long; a key that is let go too early was never down."""
-        self.do("keydown", key)
-        try:
-            return wait_until(condition, what)
-        finally:
+    def new_file(self, key, folder, pattern, what):
+        """What appears in a folder when a key is pressed: again and again, as a frame may take long, and a key that is down or up
+        for less than one was never pressed."""
+        before = set(folder.glob(pattern))
+        presses = itertools.count(1)
+
+        def appears():
+            self.do("keydown", key)
+            time.sleep(0.5 * next(presses))
             self.do("keyup", key)
             time.sleep(0.5)
-
-    def new_file(self, key, folder, pattern, what):
-        """What appears in a folder when a key is pressed."""
-        before = set(folder.glob(pattern))
-        return self.hold(key, lambda: set(folder.glob(pattern)) - before, what).pop()
+            return set(folder.glob(pattern)) - before
+        return max(wait_until(appears, what))
 
     def drag(self, right, down, moves, *keys):
         """With the left button, and keys held down."""
@@ -76,11 +77,15 @@ class Display:
             self.do("keyup", key)
         time.sleep(0.5)
 
-    def focus_window(self):
-        """The window of Duskline, with the pointer right of its panel."""
+    def focus_window(self, column, row):
+        """Gives the window of Duskline the keys, and moves the pointer there."""
         window = wait_until(lambda: self.do("search", "--name", "Duskline: ").split(), "the window")[0]
-        self.do("windowfocus", window)
-        self.do("mousemove", 500, 300)
+
+        def has_focus():
+            self.do("windowfocus", window)
+            return self.do("getwindowfocus").strip() == window
+        wait_until(has_focus, "the window's focus")
+        self.do("mousemove", column, row)
 
 
 def expect_refusal(program, arguments, display, folder, message):
