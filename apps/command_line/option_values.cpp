@@ -32,25 +32,16 @@ std::string in_words(const Range& range)
     const bool has_least = std::isfinite(range.least);
     const bool has_most = std::isfinite(range.most);
     if (has_least && has_most)
-        return fmt::format("from {} to {}", range.least, range.most);
+        return fmt::format("{} {} to {}", range.above ? "above" : "from", range.least, range.most);
     if (has_least)
         return fmt::format("{} {}", range.above ? "above" : "at least", range.least);
     return has_most ? fmt::format("at most {}", range.most) : "";
 }
 
-void require_in_range(const std::string& name, const Range& range, double number)
-{
-    const bool high_enough = range.above ? number > range.least : number >= range.least;
-    if (!(high_enough && number <= range.most))
-        throw UsageError(fmt::format("{} must be {}, got {}", name, in_words(range), number));
-}
-
 CLI::Option* add_checked(CLI::App& app, const NumberOption& option, const std::function<void(double)>& take)
 {
     const auto read = [name = long_name(option.names), range = option.range, take](const std::string& typed) {
-        const double number = parse_number(name, typed);
-        require_in_range(name, range, number);
-        take(number);
+        take(parse_number(name, typed, range));
     };
     const std::string range = in_words(option.range);
     const std::string text = range.empty() ? option.text : option.text + "; " + range;
@@ -64,6 +55,15 @@ double parse_number(std::string_view option, std::string_view text)
     double number = 0.0;
     if (!is_whole_text(text, number) || !std::isfinite(number))
         throw UsageError(fmt::format("{} must be a finite number such as 12.5, got '{}'", option, text));
+    return number;
+}
+
+double parse_number(std::string_view option, std::string_view text, const Range& range)
+{
+    const double number = parse_number(option, text);
+    const bool high_enough = range.above ? number > range.least : number >= range.least;
+    if (!(high_enough && number <= range.most))
+        throw UsageError(fmt::format("{} must be {}, got {}", option, in_words(range), number));
     return number;
 }
 

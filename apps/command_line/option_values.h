@@ -23,6 +23,9 @@ struct Range {
     bool above = false;
 };
 
+/// The same within a range. Throws UsageError naming the option, also for a number beyond it.
+double parse_number(std::string_view option, std::string_view text, const Range& range);
+
 /// One option that takes a number.
 struct NumberOption {
     std::string names; ///< as CLI11 wants them: "-z,--z-factor"

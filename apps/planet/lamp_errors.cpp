@@ -1,7 +1,5 @@
 #include "lamp_errors.h"
 
-#include "lamp_text.h"
-
 #include <fmt/format.h>
 
 namespace duskline::planet_app {
@@ -9,7 +7,7 @@ namespace duskline::planet_app {
 LampErrors::LampErrors(const std::vector<PlacedLamp>& lamps)
 {
     for (const PlacedLamp& lamp : lamps)
-        if (lamp.on)
+        if (lamp.light.on)
             lamps_.push_back({option_of(lamp), {}});
 }
 

@@ -1,5 +1,6 @@
 #include "panel.h"
 
+#include "lamp_controls.h"
 #include "panel_parts.h"
 #include "state_text.h"
 
@@ -7,7 +8,7 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace duskline::planet_app {
 namespace {
@@ -78,80 +79,21 @@ void draw_shadows(PlanetState& state)
         window::shadow_map_controls(state.shadow_map, state.shadow_look);
 }
 
-void logarithmic(const char* label, double& value, double least, double most, const char* format)
-{
-    slider(label, value, least, most, format, ImGuiSliderFlags_Logarithmic);
-}
-
-void angle(const char* label, Angle& value, double least, double most)
-{
-    double degrees = value.degrees();
-    if (slider(label, degrees, least, most, "%.1f"))
-        value = Angle::from_degrees(degrees);
-}
-
-void draw_beam(LampBeam& beam, const PlanetCamera& camera)
-{
-    beam.azimuth = wrapped_to_circle(beam.azimuth);
-    angle("Azimuth", beam.azimuth, 0.0, 360.0);
-    angle("Altitude", beam.altitude, -90.0, 90.0);
-    angle("Half angle", beam.half_angle, 1.0, 90.0);
-    if (ImGui::Button("Aim where I look"))
-        beam = {camera.heading, camera.pitch, beam.half_angle};
-}
-
-// False when it is to go.
-bool draw_lamp(PlacedLamp& lamp, const ViewedPlanet& viewed, const PlanetCamera& camera)
-{
-    logarithmic("Strength", lamp.strength, 0.01, 1000.0, "%.2f suns");
-    logarithmic("at", lamp.reach_m, 1.0, 1e4, "%.0f m");
-    logarithmic("Range", lamp.range_m, 10.0, 1e6, "%.0f m");
-    std::array<float, 3> colour = {lamp.colour.red, lamp.colour.green, lamp.colour.blue};
-    if (ImGui::ColorEdit3("Colour", colour.data(), ImGuiColorEditFlags_NoInputs))
-        lamp.colour = {colour[0], colour[1], colour[2]};
-    logarithmic("Height", lamp.clearance_m, 0.1, 1e5, "%.1f m");
-    if (lamp.beam) {
-        draw_beam(*lamp.beam, camera);
-        ImGui::SameLine();
-    }
-    if (ImGui::Button("Move here")) {
-        const PlanetPose pose = pose_of(*viewed.terrain, camera);
-        lamp.place = pose.place;
-        lamp.clearance_m = pose.clearance_m;
-    }
-    ImGui::SameLine();
-    return !ImGui::Button("Remove");
-}
-
-void draw_new_lamps(PlanetState& state, const ViewedPlanet& viewed)
-{
-    ImGui::BeginDisabled(state.lamps.size() >= kMostLamps);
-    if (ImGui::Button("Lamp here"))
-        state.lamps.push_back(lamp_at_eye(*viewed.terrain, state.camera));
-    ImGui::SameLine();
-    if (ImGui::Button("Searchlight here"))
-        state.lamps.push_back(searchlight_at_eye(*viewed.terrain, state.camera));
-    ImGui::EndDisabled();
-}
-
 void draw_lamps(PlanetState& state, const ViewedPlanet& viewed)
 {
-    draw_new_lamps(state, viewed);
-    auto gone = state.lamps.end();
-    for (auto lamp = state.lamps.begin(); lamp != state.lamps.end(); ++lamp) {
-        const auto number = static_cast<int>(lamp - state.lamps.begin()) + 1;
-        ImGui::PushID(number);
-        ImGui::Checkbox("##on", &lamp->on);
-        ImGui::SameLine();
-        if (ImGui::TreeNode(fmt::format("{} {}", lamp->beam ? "Searchlight" : "Lamp", number).c_str())) {
-            if (!draw_lamp(*lamp, viewed, state.camera))
-                gone = lamp;
-            ImGui::TreePop();
-        }
-        ImGui::PopID();
-    }
-    if (gone != state.lamps.end())
-        state.lamps.erase(gone);
+    const auto here = [&](const window::LampSettings& light) {
+        return lamp_at_eye(*viewed.terrain, state.camera, light);
+    };
+    std::vector<window::ListedLamp> listed;
+    for (PlacedLamp& lamp : state.lamps)
+        listed.push_back({lamp.light, lamp.clearance_m});
+    const window::LampWish wish = window::lamp_controls(listed, beam_of_view(state.camera));
+    if (wish.kind == window::LampWish::Kind::add)
+        state.lamps.push_back(here(wish.light));
+    else if (wish.kind == window::LampWish::Kind::move_here)
+        state.lamps[wish.lamp] = here(state.lamps[wish.lamp].light);
+    else if (wish.kind == window::LampWish::Kind::remove)
+        state.lamps.erase(state.lamps.begin() + static_cast<std::ptrdiff_t>(wish.lamp));
 }
 
 void draw_look(PlanetState& state)

@@ -1,52 +1,57 @@
 #include "placed_lamp.h"
 
+#include "option_values.h"
 #include "planet_state.h"
 
-#include <cmath>
+#include <fmt/format.h>
 
 namespace duskline::planet_app {
 
-PlacedLamp usual_lamp(const LonLat& place, double clearance_m)
+const window::LampPlaceForm& lamp_place_form()
 {
-    return {.place = place, .clearance_m = clearance_m};
+    static constexpr window::LampPlaceForm form = {"LON,LAT,HEIGHT", "-155.62,20.1,30",
+                                                   "at a place, so many metres over the ground"};
+    return form;
 }
 
-PlacedLamp usual_searchlight(const LonLat& place, double clearance_m, const LampBeam& beam)
+PlacedLamp placed_lamp(const window::TypedLamp& typed)
 {
-    return {.place = place, .clearance_m = clearance_m, .beam = beam, .reach_m = 1000.0, .range_m = 20000.0};
+    const auto number = [&](std::size_t i, const char* name, const cli::Range& range) {
+        return cli::parse_number(fmt::format("{} of {}", name, typed.option), typed.place.at(i), range);
+    };
+    const double longitude_deg = number(0, "the longitude", {.least = -180.0, .most = 360.0});
+    const double latitude_deg = number(1, "the latitude", {.least = -90.0, .most = 90.0});
+    const double clearance_m = number(2, "the height over the ground", {.least = 0.1, .most = 1e7});
+    return {
+        {Angle::from_degrees(longitude_deg), Angle::from_degrees(latitude_deg)}, clearance_m, typed.light};
 }
 
-LampBeam beam_of_view(const PlanetCamera& camera)
+std::string option_of(const PlacedLamp& lamp)
+{
+    return window::option_of(fmt::format("{},{},{}", window::degrees_text(lamp.place.longitude),
+                                         window::degrees_text(lamp.place.latitude),
+                                         window::metres_text(lamp.clearance_m)),
+                             lamp.light);
+}
+
+PlacedLamp lamp_at_eye(const PlanetTerrain& terrain, const PlanetCamera& camera,
+                       const window::LampSettings& light)
+{
+    const PlanetPose pose = pose_of(terrain, camera);
+    return {pose.place, pose.clearance_m, light};
+}
+
+window::LampBeam beam_of_view(const PlanetCamera& camera)
 {
     return {camera.heading, camera.pitch, Angle::from_degrees(camera.vertical_view.degrees() / 4.0)};
 }
 
-PlacedLamp lamp_at_eye(const PlanetTerrain& terrain, const PlanetCamera& camera)
-{
-    const PlanetPose pose = pose_of(terrain, camera);
-    return usual_lamp(pose.place, pose.clearance_m);
-}
-
-PlacedLamp searchlight_at_eye(const PlanetTerrain& terrain, const PlanetCamera& camera)
-{
-    const PlanetPose pose = pose_of(terrain, camera);
-    return usual_searchlight(pose.place, pose.clearance_m, beam_of_view(camera));
-}
-
 SceneLamp scene_lamp(const PlanetTerrain& terrain, const PlacedLamp& lamp)
 {
-    SceneLamp scene;
-    scene.position_m = camera_at(terrain, {.place = lamp.place, .clearance_m = lamp.clearance_m}).eye_m;
-    if (lamp.beam) {
-        scene.direction =
-            sun_direction(terrain.globe(), {lamp.beam->azimuth, lamp.beam->altitude}, lamp.place);
-        scene.half_angle = lamp.beam->half_angle;
-    }
-    scene.soft_edge = lamp.soft_edge;
-    scene.colour = {lamp.colour.red, lamp.colour.green, lamp.colour.blue};
-    scene.bright_m = lamp.reach_m * std::sqrt(lamp.strength);
-    scene.range_m = lamp.range_m;
-    return scene;
+    const window::LampBeam beam = lamp.light.beam.value_or(window::LampBeam{});
+    return window::scene_lamp(
+        lamp.light, camera_at(terrain, {.place = lamp.place, .clearance_m = lamp.clearance_m}).eye_m,
+        sun_direction(terrain.globe(), {beam.azimuth, beam.altitude}, lamp.place));
 }
 
 } // namespace duskline::planet_app

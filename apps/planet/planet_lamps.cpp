@@ -50,7 +50,7 @@ std::size_t PlanetLamps::update(const PlanetState& state, bool exact)
 {
     std::vector<SceneLamp> lamps;
     for (const PlacedLamp& lamp : state.lamps)
-        if (lamp.on)
+        if (lamp.light.on)
             lamps.push_back(scene_lamp(terrain_, lamp));
     if (lamps.empty() && !maps_)
         return 0;

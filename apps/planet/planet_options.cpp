@@ -2,7 +2,6 @@
 
 #include "exit_code.h"
 #include "help_page.h"
-#include "lamp_text.h"
 #include "light_options.h"
 #include "option_values.h"
 #include "shadow_map_settings.h"
@@ -174,35 +173,11 @@ void add_light(CLI::App& app, PlanetOptions& options)
         ->group(kLight);
 }
 
-using ReadLamp = PlacedLamp (*)(const std::string& typed);
-
-CLI::Option* add_lamp_option(CLI::App& app, const std::string& name, ReadLamp read, PlanetOptions& options,
-                             const std::string& text)
-{
-    return app
-        .add_option_function<std::vector<std::string>>(
-            name,
-            [&options, read](const std::vector<std::string>& typed) {
-                for (const std::string& lamp : typed)
-                    options.look.lamps.push_back(read(lamp));
-            },
-            text)
-        ->allow_extra_args(false)
-        ->group(kLight);
-}
-
 void add_lamps(CLI::App& app, PlanetOptions& options)
 {
-    add_lamp_option(app, "--lamp", &parse_lamp, options,
-                    "a lamp at a place, so many metres over the ground, and by commas what is not "
-                        + lamp_help() + "; may be repeated")
-        ->type_name("LON,LAT,HEIGHT[,NAME=VALUE...]");
-    add_lamp_option(
-        app, "--searchlight", &parse_searchlight, options,
-        "a lamp with a beam: its azimuth, its altitude over the horizontal and the angle from its "
-        "middle to its border, degrees; as --lamp, but "
-            + searchlight_help())
-        ->type_name("LON,LAT,HEIGHT,AZIMUTH,ALTITUDE,HALF_ANGLE[,NAME=VALUE...]");
+    window::add_lamp_options(app, lamp_place_form(), kLight, [&options](const window::TypedLamp& lamp) {
+        options.look.lamps.push_back(placed_lamp(lamp));
+    });
 }
 
 void add_headless(CLI::App& app, PlanetOptions& options)
@@ -315,9 +290,7 @@ void require_consistent(const PlanetOptions& options)
         throw UsageError("give --azimuth and --altitude, or --time, not both");
     if (options.time && options.moon)
         throw UsageError("--time is the sun of the earth: give --azimuth and --altitude with --moon");
-    if (options.look.lamps.size() > kMostLamps)
-        throw UsageError(fmt::format("at most {} lamps and searchlights may shine, got {}", kMostLamps,
-                                     options.look.lamps.size()));
+    window::require_lamps_fit(options.look.lamps.size());
     require_known_technique(options);
 }
 

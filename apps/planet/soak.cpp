@@ -115,8 +115,10 @@ private:
     {
         state_.lamps.clear();
         if (leg_ % 4 == 0)
-            state_.lamps.push_back(chance_.happens(0.5) ? lamp_at_eye(*viewed_.terrain, where)
-                                                        : searchlight_at_eye(*viewed_.terrain, where));
+            state_.lamps.push_back(lamp_at_eye(*viewed_.terrain, where,
+                                               chance_.happens(0.5)
+                                                   ? window::usual_lamp()
+                                                   : window::usual_searchlight(beam_of_view(where))));
     }
 
     // Techniques in turn, fronts first, and any option of the shadow map between them.

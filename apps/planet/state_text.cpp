@@ -1,6 +1,5 @@
 #include "state_text.h"
 
-#include "lamp_text.h"
 #include "shadow_map_settings.h"
 
 #include <fmt/format.h>
@@ -23,6 +22,8 @@ std::string shadow_options(const PlanetState& state)
     const std::string map = window::text_of({.options = state.shadow_map, .look = state.shadow_look});
     if (state.technique == PlanetTechnique::shadow_map && !map.empty())
         text += " --shadow-map " + map;
+    if (state.technique == PlanetTechnique::fronts && state.soft)
+        text += " --soft";
     return text;
 }
 
@@ -42,7 +43,7 @@ std::string options_of(const PlanetTerrain& terrain, const PlanetState& state)
         fmt::format("{} --view {:.0f} {} {}", pose_options(pose), pose.vertical_view.degrees(),
                     sun_options(state.sun, terrain.globe(), pose.place), shadow_options(state));
     for (const PlacedLamp& lamp : state.lamps)
-        if (lamp.on)
+        if (lamp.light.on)
             text += " " + option_of(lamp);
     return text;
 }

@@ -213,7 +213,7 @@ private:
         if (take_away && !state_.lamps.empty())
             state_.lamps.pop_back();
         else if (!take_away && state_.lamps.size() < kMostLamps)
-            state_.lamps.push_back(lamp_at_eye(*viewed_.terrain, state_.camera));
+            state_.lamps.push_back(lamp_at_eye(*viewed_.terrain, state_.camera, window::usual_lamp()));
         message_ = fmt::format("Lamps: {}", state_.lamps.size());
     }
 

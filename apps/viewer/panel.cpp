@@ -1,11 +1,13 @@
 #include "panel.h"
 
+#include "lamp_controls.h"
 #include "panel_parts.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace duskline::viewer {
 namespace {
@@ -61,56 +63,18 @@ void draw_shadows(ViewerState& state, Activity& activity, double done)
         text(fmt::format("{:.2f} % of the silhouette map is Black", 100.0 * *activity.black_share));
 }
 
-// True when it is to go.
-bool draw_lamp(ViewerLamp& lamp, const Camera& camera)
-{
-    ImGui::Checkbox(is_searchlight(lamp.light) ? "Searchlight" : "Lamp", &lamp.on);
-    ImGui::SameLine();
-    if (ImGui::SmallButton("Here")) {
-        lamp.light.position_m = camera.position_m;
-        lamp.light.direction = axes_of(camera).forward;
-    }
-    ImGui::SameLine();
-    const bool gone = ImGui::SmallButton("Remove");
-    constexpr ImGuiSliderFlags by_size = ImGuiSliderFlags_Logarithmic;
-    slider("Reach, m", lamp.light.bright_m, 1.0, 20000.0, "%.0f", by_size);
-    slider("Range, m", lamp.light.range_m, 10.0, 200000.0, "%.0f", by_size);
-    ImGui::ColorEdit3("Colour", lamp.light.colour.data(), ImGuiColorEditFlags_Float);
-    if (is_searchlight(lamp.light)) {
-        double half_deg = lamp.light.half_angle.degrees();
-        if (slider("Half angle", half_deg, 0.5, 90.0, "%.1f"))
-            lamp.light.half_angle = Angle::from_degrees(half_deg);
-        slider("Soft edge", lamp.light.soft_edge, 0.0, 1.0, "%.2f");
-    }
-    return gone;
-}
-
-// New ones stand where the eye is, and shine where it looks.
 void draw_lamps(ViewerState& state)
 {
-    const bool full = state.lamps.size() >= kMostLamps;
-    const auto add = [&](SceneLamp lamp) {
-        lamp.position_m = state.camera.position_m;
-        lamp.direction = axes_of(state.camera).forward;
-        state.lamps.push_back({lamp});
-    };
-    if (ImGui::Button("Lamp here") && !full)
-        add(usual_lamp());
-    ImGui::SameLine();
-    if (ImGui::Button("Searchlight here") && !full)
-        add(usual_searchlight());
-    if (full)
-        text(fmt::format("{} is all there may be", kMostLamps));
-    std::size_t gone = state.lamps.size();
-    for (std::size_t i = 0; i < state.lamps.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        ImGui::Separator();
-        if (draw_lamp(state.lamps[i], state.camera))
-            gone = i;
-        ImGui::PopID();
-    }
-    if (gone < state.lamps.size())
-        state.lamps.erase(state.lamps.begin() + static_cast<std::ptrdiff_t>(gone));
+    std::vector<window::ListedLamp> listed;
+    for (ViewerLamp& lamp : state.lamps)
+        listed.push_back({lamp.light, lamp.position_m.z});
+    const window::LampWish wish = window::lamp_controls(listed, beam_of_view(state.camera));
+    if (wish.kind == window::LampWish::Kind::add)
+        state.lamps.push_back({state.camera.position_m, wish.light});
+    else if (wish.kind == window::LampWish::Kind::move_here)
+        state.lamps[wish.lamp].position_m = state.camera.position_m;
+    else if (wish.kind == window::LampWish::Kind::remove)
+        state.lamps.erase(state.lamps.begin() + static_cast<std::ptrdiff_t>(wish.lamp));
 }
 
 void draw_look(ViewerState& state)

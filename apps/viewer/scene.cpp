@@ -305,13 +305,9 @@ void take_light(const cli::LightOptions& options, ViewerLight& light)
 // Beside those of the state.
 void take_lamps(const ViewerOptions& options, const ViewedTerrain& viewed, ViewerState& state)
 {
-    for (const std::string& typed : options.lamps)
-        state.lamps.push_back(typed_lamp(typed, viewed));
-    for (const std::string& typed : options.searchlights)
-        state.lamps.push_back(typed_searchlight(typed, viewed));
-    if (state.lamps.size() > kMostLamps)
-        throw cli::UsageError(fmt::format("at most {} lamps and searchlights may shine, got {}", kMostLamps,
-                                          state.lamps.size()));
+    for (const MapLamp& lamp : options.lamps)
+        state.lamps.push_back(placed_lamp(lamp, viewed));
+    window::require_lamps_fit(state.lamps.size());
 }
 
 } // namespace

@@ -1,49 +1,46 @@
 #pragma once
 
-#include <duskline/view/scene_lamp.h>
+#include "lamp_settings.h"
 
+#include <duskline/view/camera.h>
+
+#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace duskline::viewer {
 
 struct ViewedTerrain;
 
-/// A lamp over a terrain, in the terrain's frame (view/camera.h).
+/// A lamp over a terrain.
 struct ViewerLamp {
-    SceneLamp light;
-    bool on = true;
+    Vector3 position_m; ///< in the terrain's frame (view/camera.h)
+    window::LampSettings light;
 };
 
-/// Those that are on.
+/// Those that are on, as the scene has them.
 std::vector<SceneLamp> shining(std::span<const ViewerLamp> lamps);
 
-/// What lamps and searchlights are unless told otherwise.
-SceneLamp usual_lamp();
-SceneLamp usual_searchlight();
+/// Where the eye looks, a quarter of the picture wide.
+window::LampBeam beam_of_view(const Camera& camera);
 
-/// Unit vector that way: azimuth clockwise from the map's north, altitude above the horizontal.
-Vector3 beam_towards(Angle azimuth, Angle altitude);
-
-/// Where a searchlight shines.
-struct BeamAngles {
-    Angle azimuth;
-    Angle altitude;
+/// A lamp that was asked for by map coordinates and metres over zero, or +Z metres over the ground.
+struct MapLamp {
+    std::string option; ///< as it was typed, for messages
+    double x = 0.0;
+    double y = 0.0;
+    double z_m = 0.0;
+    bool above_ground = false;
+    window::LampSettings light;
 };
-BeamAngles angles_of_beam(const SceneLamp& lamp);
 
-/// The lamp of --lamp X,Y,Z[,NAME=VALUE...] and of --searchlight X,Y,Z,AZIMUTH,ALTITUDE,HALF_ANGLE[,NAME=VALUE...]: map
-/// coordinates and metres over zero, or +Z metres over the ground. Throws UsageError with the option, what was typed and
-/// what would be right, also for a place that has no ground.
-ViewerLamp typed_lamp(const std::string& typed, const ViewedTerrain& viewed);
-ViewerLamp typed_searchlight(const std::string& typed, const ViewedTerrain& viewed);
+/// How --lamp and --searchlight say where one stands: X,Y,Z.
+const window::LampPlaceForm& lamp_place_form();
 
-/// Throws UsageError unless these can be read, whatever the terrain.
-void require_lamp(const std::string& typed);
-void require_searchlight(const std::string& typed);
+/// With its place read. Throws cli::UsageError.
+MapLamp map_lamp(const window::TypedLamp& typed);
 
-/// What may be said by name, for help texts.
-std::string lamp_settings_help();
+/// Over the terrain. Throws cli::UsageError where that has no ground.
+ViewerLamp placed_lamp(const MapLamp& lamp, const ViewedTerrain& viewed);
 
 } // namespace duskline::viewer

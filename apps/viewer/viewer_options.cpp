@@ -5,7 +5,6 @@
 #include "help_page.h"
 #include "option_values.h"
 #include "shadow_map_settings.h"
-#include "viewer_lamps.h"
 
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/shadow_technique.h>
@@ -106,21 +105,9 @@ void add_look(CLI::App& app, ViewerOptions& options)
 
 void add_lamps(CLI::App& app, ViewerOptions& options)
 {
-    app.add_option("--lamp", options.lamps,
-                   "a lamp beside the sun, with shadows from a depth map: at map coordinates X,Y, Z metres "
-                   "high or +Z "
-                   "metres above the ground, and by commas in place of "
-                       + lamp_settings_help() + "; may be repeated")
-        ->type_name("X,Y,Z,...")
-        ->allow_extra_args(false)
-        ->group(kLook);
-    app.add_option(
-           "--searchlight", options.searchlights,
-           "a lamp with a beam: then its azimuth from the map's north, its altitude over the horizontal and "
-           "the angle from its middle to its border, degrees; may be repeated")
-        ->type_name("X,Y,Z,AZ,ALT,HALF,...")
-        ->allow_extra_args(false)
-        ->group(kLook);
+    window::add_lamp_options(app, lamp_place_form(), kLook, [&options](const window::TypedLamp& lamp) {
+        options.lamps.push_back(map_lamp(lamp));
+    });
 }
 
 void add_headless(CLI::App& app, ViewerOptions& options)
@@ -190,8 +177,6 @@ void require_consistent(const ViewerOptions& options)
     if (!options.animation.empty())
         require_motion(options.animation);
     window::parse_shadow_map_option(options.shadow_map);
-    std::ranges::for_each(options.lamps, &require_lamp);
-    std::ranges::for_each(options.searchlights, &require_searchlight);
     cli::require_palette(options.picture);
 }
 

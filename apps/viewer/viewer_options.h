@@ -6,6 +6,7 @@
 #include "light_options.h"
 #include "picture_options.h"
 #include "run_options.h"
+#include "viewer_lamps.h"
 
 #include <cstddef>
 #include <optional>
@@ -26,9 +27,8 @@ struct ViewerOptions : window::DrawingOptions {
     std::optional<std::size_t> light_maps;
     bool difference = false;
     bool objects = false;
-    std::vector<std::string> lamps;        ///< X,Y,Z and more, beside those of the state
-    std::vector<std::string> searchlights; ///< X,Y,Z,AZIMUTH,ALTITUDE,HALF_ANGLE and more
-    std::string animation;                 ///< empty: of the state
+    std::vector<MapLamp> lamps; ///< beside those of the state
+    std::string animation;      ///< empty: of the state
     std::optional<double> animation_s;
     std::optional<double> animation_speed;
     std::string state;  ///< a file to begin with

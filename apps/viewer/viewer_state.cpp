@@ -1,5 +1,8 @@
 #include "viewer_state.h"
 
+#include "colour_text.h"
+#include "exit_code.h"
+
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/shadow_technique.h>
 #include <duskline/raster_io/file_errors.h>
@@ -180,42 +183,56 @@ std::string animation_of(const Reader& reader, const std::string& otherwise)
 
 Json json_of(const ViewerLamp& lamp)
 {
-    const SceneLamp& light = lamp.light;
-    const BeamAngles beam = angles_of_beam(light);
-    return {{"on", lamp.on},
-            {"east_m", light.position_m.x},
-            {"north_m", light.position_m.y},
-            {"height_m", light.position_m.z},
-            {"azimuth_deg", beam.azimuth.degrees()},
-            {"altitude_deg", beam.altitude.degrees()},
-            {"half_angle_deg", light.half_angle.degrees()},
-            {"edge", light.soft_edge},
-            {"red", light.colour[0]},
-            {"green", light.colour[1]},
-            {"blue", light.colour[2]},
-            {"reach_m", light.bright_m},
-            {"range_m", light.range_m}};
+    const window::LampSettings& light = lamp.light;
+    Json json = {{"on", light.on},
+                 {"east_m", lamp.position_m.x},
+                 {"north_m", lamp.position_m.y},
+                 {"height_m", lamp.position_m.z},
+                 {"strength", light.strength},
+                 {"reach_m", light.reach_m},
+                 {"range_m", light.range_m},
+                 {"colour", cli::text_of(light.colour)}};
+    if (light.beam)
+        json["beam"] = {{"azimuth_deg", light.beam->azimuth.degrees()},
+                        {"altitude_deg", light.beam->altitude.degrees()},
+                        {"half_angle_deg", light.beam->half_angle.degrees()},
+                        {"edge", light.soft_edge}};
+    return json;
+}
+
+void read_beam(const Reader& reader, window::LampSettings& light)
+{
+    light = window::usual_searchlight({});
+    reader.angle("azimuth_deg", light.beam->azimuth, -kMost, kMost);
+    reader.angle("altitude_deg", light.beam->altitude, -90.0, 90.0);
+    reader.angle("half_angle_deg", light.beam->half_angle, 0.5, 179.0);
+    reader.number("edge", light.soft_edge, 0.0, 1.0);
+}
+
+Colour colour_of(const Reader& reader, const Colour& otherwise)
+{
+    const auto text = reader.text("colour");
+    try {
+        return text ? cli::parse_colour("'colour'", *text) : otherwise;
+    } catch (const cli::UsageError& error) {
+        reader.fail(error.what());
+    }
 }
 
 ViewerLamp lamp_of(const Reader& reader)
 {
-    ViewerLamp lamp = {usual_lamp()};
-    SceneLamp& light = lamp.light;
-    BeamAngles beam = angles_of_beam(light);
-    reader.flag("on", lamp.on);
-    reader.number("east_m", light.position_m.x, -kMost, kMost);
-    reader.number("north_m", light.position_m.y, -kMost, kMost);
-    reader.number("height_m", light.position_m.z, -kMost, kMost);
-    reader.angle("azimuth_deg", beam.azimuth, -kMost, kMost);
-    reader.angle("altitude_deg", beam.altitude, -90.0, 90.0);
-    light.direction = beam_towards(beam.azimuth, beam.altitude);
-    reader.angle("half_angle_deg", light.half_angle, 0.5, 180.0);
-    reader.number("edge", light.soft_edge, 0.0, 1.0);
-    reader.number("red", light.colour[0], 0.0, 1e6);
-    reader.number("green", light.colour[1], 0.0, 1e6);
-    reader.number("blue", light.colour[2], 0.0, 1e6);
-    reader.number("reach_m", light.bright_m, 0.01, 1e7);
+    ViewerLamp lamp;
+    window::LampSettings& light = lamp.light;
+    if (const auto beam = reader.part("beam"))
+        read_beam(*beam, light);
+    reader.flag("on", light.on);
+    reader.number("east_m", lamp.position_m.x, -kMost, kMost);
+    reader.number("north_m", lamp.position_m.y, -kMost, kMost);
+    reader.number("height_m", lamp.position_m.z, -kMost, kMost);
+    reader.number("strength", light.strength, 1e-9, 1e6);
+    reader.number("reach_m", light.reach_m, 0.01, 1e4);
     reader.number("range_m", light.range_m, 1.0, 1e7);
+    light.colour = colour_of(reader, light.colour);
     return lamp;
 }
 

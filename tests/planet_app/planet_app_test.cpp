@@ -255,7 +255,7 @@ TEST_F(PlanetApp, RefusesWhatIsWrongInOneLine)
     expect_error({"--shadow-map", "filter=blur"}, 2, "--shadow-map: the shadow map's filter must be");
     expect_error({"--lamp", "10,20"}, 2, "--lamp must be LON,LAT,HEIGHT[,NAME=VALUE...]");
     expect_error({"--searchlight", "10,20,30,0,0,0"}, 2,
-                 "half angle of --searchlight must be from 0.1 to 179");
+                 "half angle of --searchlight must be from 0.5 to 179");
     Arguments many;
     for (int i = 0; i < 9; ++i)
         many.insert(many.end(), {"--lamp", "10,20,30"});

@@ -134,7 +134,7 @@ TEST_F(Viewer, RefusesLampsThatCannotBe)
         expect_error({"dem.tif", "--render", "p.png", option, typed}, 2, says);
     };
     refused("--lamp", "500750,3999400", "must be X,Y,Z");
-    refused("--lamp", "500750,3999400,+30,glow=3", "there are: reach");
+    refused("--lamp", "500750,3999400,+30,glow=3", "there are: strength, reach");
     refused("--lamp", "500750,3999400,+30,reach=0", "got 0");
     refused("--lamp", "400000,3999400,+30", "no ground");
     refused("--searchlight", "500750,3999400,+30,120", "AZIMUTH,ALTITUDE,HALF_ANGLE");
@@ -144,7 +144,7 @@ TEST_F(Viewer, RefusesLampsThatCannotBe)
     for (int i = 0; i < 9; ++i)
         nine.insert(nine.end(), {"--lamp", "500750,3999400,+30"});
     expect_error(nine, 2, "at most 8");
-    write_file("lamps.json", R"({"lamps": [{"half_angle_deg": 300}]})");
+    write_file("lamps.json", R"({"lamps": [{"beam": {"half_angle_deg": 300}}]})");
     expect_error({"dem.tif", "--render", "p.png", "--state", "lamps.json"}, 3, "half_angle_deg");
 }
 
