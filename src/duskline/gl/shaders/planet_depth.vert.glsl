@@ -1,5 +1,6 @@
 // The surface as what stands in a light's way: depth alone, by a matrix from places relative to the eye. The mesh is
-// the one the eye sees, so that nothing shades itself for being drawn in two ways.
+// the one the eye sees, so that nothing shades itself for being drawn in two ways. It has no seams: under light along the
+// ground their upright faces are before what lies beyond them in the same texel, and would draw dark lines.
 
 #version 430 core
 #include "planet_surface.glsl"
@@ -11,7 +12,5 @@ uniform mat4 to_clip;
 void main()
 {
     PlanetTile tile = tiles[first_tile + gl_InstanceID];
-    vec3 outwards = normalize(tile.middle + on_face(tile, corner.xy));
-    vec3 from_eye_m = planet_corner(tile, ivec2(corner.xy)).from_eye_m - corner.z * seam_depth_m(tile) * outwards;
-    gl_Position = to_clip * vec4(from_eye_m, 1.0);
+    gl_Position = to_clip * vec4(planet_corner(tile, ivec2(corner.xy)).from_eye_m, 1.0);
 }
