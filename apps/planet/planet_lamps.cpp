@@ -15,11 +15,6 @@ bool same_place(const Vector3& a, const Vector3& b)
     return length(a - b) == 0.0;
 }
 
-bool same_mesh(const PlanetPatch& a, const PlanetPatch& b)
-{
-    return a.tile == b.tile && a.morph.begin_m == b.morph.begin_m && a.morph.end_m == b.morph.end_m;
-}
-
 OrientedBox box_round(const SceneLamp& lamp)
 {
     return {lamp.position_m,
@@ -58,7 +53,7 @@ std::size_t PlanetLamps::update(const PlanetState& state, bool exact)
         maps_.emplace();
     std::vector<PlanetPatch> casters = tiles_in_range(lamps);
     const bool turned = mesh_has_turned(state.camera, exact);
-    if (turned || !std::ranges::equal(casters, cast_, same_mesh)) {
+    if (turned || casters != cast_) {
         maps_->casters_changed();
         cast_for_eye_m_ = state.camera.eye_m;
     }

@@ -15,6 +15,8 @@ struct PlanetPatch {
     MorphRange morph;
     std::uint32_t step =
         1; ///< every so many-th corner is enough, as seen from the eye: 1, 2, 4 or kLargestPatchStep
+
+    bool operator==(const PlanetPatch&) const = default;
 };
 
 inline constexpr std::uint32_t kLargestPatchStep = 8;

@@ -29,6 +29,8 @@ inline constexpr std::size_t kPatchSquares = 32;
 struct MorphRange {
     double begin_m = 0.0;
     double end_m = 0.0;
+
+    bool operator==(const MorphRange&) const = default;
 };
 
 /// How finely which part of a terrain is to be drawn: continuous distance-dependent level of detail.
