@@ -1,28 +1,22 @@
 #include "gl/gl_test.h"
+#include "gl/triangle_casters.h"
+#include "random_vectors.h"
 
 #include <duskline/casting/exact.h>
 #include <duskline/geometry/cross_product.h>
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/lamp_maps.h>
 #include <duskline/gl/program.h>
-#include <duskline/gl/vertex_array.h>
 #include <duskline/terrain/synthetic_terrain.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace duskline::gl {
 namespace {
 
 using namespace angle_literals;
-
-constexpr const char* kCasters = R"(#version 430 core
-layout(location = 0) in vec3 position;
-uniform mat4 to_clip;
-void main() { gl_Position = to_clip * vec4(position, 1.0); }
-)";
 
 constexpr const char* kAsk = R"(#version 430 core
 #include "lamp_maps.glsl"
@@ -41,7 +35,6 @@ void main()
 }
 )";
 
-using Triangle = std::array<Vector3, 3>;
 using Answer = std::array<float, 4>; // light, and how much of a lamp is visible
 
 struct Place {
@@ -56,21 +49,12 @@ struct Turn {
     Vector3 operator()(const Vector3& v) const { return axes[0] * v.x + axes[1] * v.y + axes[2] * v.z; }
 };
 
-class Numbers {
-public:
-    explicit Numbers(unsigned int seed) : random_(seed) {}
-    double next() { return static_cast<double>(random_()) / 4294967295.0 * 2.0 - 1.0; }
-    Vector3 vector() { return {next(), next(), next()}; }
-    Turn turn()
-    {
-        const Vector3 x = normalized(vector());
-        const Vector3 y = normalized(cross(x, vector()));
-        return {{x, y, cross(x, y)}};
-    }
-
-private:
-    std::mt19937 random_;
-};
+Turn any_turn(RandomVectors& random)
+{
+    const Vector3 x = normalized(random.vector());
+    const Vector3 y = normalized(cross(x, random.vector()));
+    return {{x, y, cross(x, y)}};
+}
 
 // A parallelogram from a corner along two sides, in so many pieces a side.
 std::vector<Triangle> plate(const Vector3& corner, const Vector3& a, const Vector3& b, int pieces = 1)
@@ -88,7 +72,7 @@ std::vector<Triangle> plate(const Vector3& corner, const Vector3& a, const Vecto
 // Things that cast shadows, and maps of them.
 struct Scene {
     explicit Scene(const LampMapOptions& options = {.size = 256})
-        : maps(options), casters(program("casters.vert.glsl", kCasters)), ask(program("ask.comp.glsl", kAsk))
+        : maps(options), ask(program("ask.comp.glsl", kAsk))
     {}
 
     static Program program(const char* name, const char* text)
@@ -105,22 +89,8 @@ struct Scene {
 
     std::size_t update(const std::vector<SceneLamp>& lamps)
     {
-        return maps.update(lamps, [&](const LampFace& face) {
-            std::vector<float> corners;
-            for (const Triangle& triangle : triangles)
-                for (const Vector3& corner : triangle) {
-                    const Vector3 p = corner - eye_m;
-                    corners.insert(corners.end(), {static_cast<float>(p.x), static_cast<float>(p.y),
-                                                   static_cast<float>(p.z)});
-                }
-            Buffer buffer;
-            buffer.upload(corners);
-            VertexArray vertices;
-            vertices.set_floats(0, buffer, 3, 3 * sizeof(float));
-            casters.use();
-            casters.set_matrix("to_clip", face_to_clip(face, eye_m));
-            vertices.draw(VertexArray::Shape::triangles, 0, corners.size() / 3);
-        });
+        return maps.update(
+            lamps, [&](const LampFace& face) { casters.draw(triangles, face_to_clip(face, eye_m), eye_m); });
     }
 
     std::vector<Answer> answers(const std::vector<Place>& places, int lamp = 0) const
@@ -151,7 +121,7 @@ struct Scene {
     }
 
     LampMaps maps;
-    Program casters;
+    TriangleCasters casters;
     Program ask;
     std::vector<Triangle> triangles;
     Vector3 eye_m = {};
@@ -168,9 +138,9 @@ using LampMapsTest = GlTest;
 // Lamp at 10 over a floor at 0; between them at 5 a plate west of x = 1.
 TEST_F(LampMapsTest, AShadowEndsWhereGeometrySays)
 {
-    Numbers numbers(1);
+    RandomVectors random(1);
     for (int round = 0; round < 12; ++round) {
-        const Turn turn = numbers.turn();
+        const Turn turn = any_turn(random);
         Scene scene;
         for (const Triangle& t : plate({-30.0, -30.0, 5.0}, {31.0, 0.0, 0.0}, {0.0, 60.0, 0.0}))
             scene.triangles.push_back({turn(t[0]), turn(t[1]), turn(t[2])});
@@ -185,7 +155,7 @@ TEST_F(LampMapsTest, AShadowEndsWhereGeometrySays)
             std::vector<Place> places;
             std::vector<double> off; // east of the shadow's end, texels
             for (int i = -200; i <= 200; ++i) {
-                const Vector3 place = {2.0 + 0.01 * i, 3.1 * numbers.next(), 0.0};
+                const Vector3 place = {2.0 + 0.01 * i, 3.1 * random.number(), 0.0};
                 const double distance = length(place - Vector3{0.0, 0.0, 10.0});
                 places.push_back({turn(place), turn({0.0, 0.0, 1.0})});
                 off.push_back(0.01 * i * 10.0 / (distance * distance) / texel(scene.maps));
@@ -227,14 +197,14 @@ TEST_F(LampMapsTest, AWallIsLitOnTheSideOfTheLampAndDarkensWhatLiesBehind)
 
 TEST_F(LampMapsTest, ALampLightsByTheFormulaAndNothingBeyondItsRange)
 {
-    Numbers numbers(2);
+    RandomVectors random(2);
     Scene scene({.size = 64});
     const SceneLamp lamp = {
         .position_m = {1.0, 2.0, 3.0}, .colour = {1.0f, 0.5f, 0.25f}, .bright_m = 20.0, .range_m = 150.0};
     scene.update({lamp});
     std::vector<Place> places;
     for (int i = 0; i < 1000; ++i)
-        places.push_back({lamp.position_m + numbers.vector() * 140.0, numbers.vector()});
+        places.push_back({lamp.position_m + random.vector() * 140.0, random.vector()});
     const std::vector<Answer> answers = scene.answers(places);
     int beyond = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -255,16 +225,16 @@ TEST_F(LampMapsTest, ALampLightsByTheFormulaAndNothingBeyondItsRange)
 
 TEST_F(LampMapsTest, ASearchlightShinesInItsConeAndItsBorderIsAsSoftAsItSays)
 {
-    Numbers numbers(3);
+    RandomVectors random(3);
     for (const double half_deg : {0.5, 10.0, 60.0, 110.0}) {
         Scene scene({.size = 64});
         const SceneLamp lamp = {.position_m = {1.0, 2.0, 3.0},
-                                .direction = numbers.vector(),
+                                .direction = random.vector(),
                                 .half_angle = Angle::from_degrees(half_deg),
                                 .soft_edge = 0.25};
         scene.update({lamp});
         const Vector3 axis = normalized(lamp.direction);
-        const Vector3 beside = normalized(cross(axis, numbers.vector()));
+        const Vector3 beside = normalized(cross(axis, random.vector()));
         std::vector<Place> places;
         for (int i = 0; i <= 600; ++i) {
             const auto [sine, cosine] = sine_cosine(Angle::from_degrees(half_deg * i / 400.0));
@@ -289,20 +259,20 @@ TEST_F(LampMapsTest, ASearchlightShinesInItsConeAndItsBorderIsAsSoftAsItSays)
 
 TEST_F(LampMapsTest, LightsOfLampsAddUp)
 {
-    Numbers numbers(4);
+    RandomVectors random(4);
     Scene scene;
     for (int i = 0; i < 30; ++i)
-        scene.add(plate(numbers.vector() * 20.0, numbers.vector() * 5.0, numbers.vector() * 5.0));
+        scene.add(plate(random.vector() * 20.0, random.vector() * 5.0, random.vector() * 5.0));
     std::vector<SceneLamp> lamps;
     for (int i = 0; i < 5; ++i)
-        lamps.push_back({.position_m = numbers.vector() * 25.0,
-                         .direction = numbers.vector(),
+        lamps.push_back({.position_m = random.vector() * 25.0,
+                         .direction = random.vector(),
                          .half_angle = Angle::from_degrees(i % 2 == 0 ? 180.0 : 50.0),
                          .colour = {1.0f, 0.1f * static_cast<float>(i), 0.3f},
                          .bright_m = 15.0});
     std::vector<Place> places;
     for (int i = 0; i < 3000; ++i)
-        places.push_back({numbers.vector() * 30.0, numbers.vector()});
+        places.push_back({random.vector() * 30.0, random.vector()});
     std::vector<std::array<double, 3>> sums(places.size());
     for (const SceneLamp& lamp : lamps) {
         scene.update({lamp});
@@ -324,10 +294,10 @@ TEST_F(LampMapsTest, LightsOfLampsAddUp)
 
 TEST_F(LampMapsTest, APlainDoesNotShadeItselfHoweverLowTheLampStands)
 {
-    Numbers numbers(5);
+    RandomVectors random(5);
     for (const std::size_t taps : {1U, 3U, 5U})
         for (const double height_m : {0.5, 2.0, 30.0}) {
-            const Turn turn = numbers.turn();
+            const Turn turn = any_turn(random);
             Scene scene({.size = 256, .taps = taps});
             for (const int pieces : {1, 50}) {
                 scene.triangles.clear();
@@ -338,8 +308,8 @@ TEST_F(LampMapsTest, APlainDoesNotShadeItselfHoweverLowTheLampStands)
                 scene.update({{}});
                 std::vector<Place> places;
                 for (int i = 0; i < 4000; ++i) {
-                    const double far_m = 0.01 * std::exp(12.0 * std::abs(numbers.next()));
-                    const auto [sine, cosine] = sine_cosine(Angle::from_degrees(180.0 * numbers.next()));
+                    const double far_m = 0.01 * std::exp(12.0 * std::abs(random.number()));
+                    const auto [sine, cosine] = sine_cosine(Angle::from_degrees(180.0 * random.number()));
                     if (far_m < 2900.0)
                         places.push_back(
                             {turn({far_m * sine, far_m * cosine, -height_m}), turn({0.0, 0.0, 1.0})});
@@ -391,17 +361,17 @@ bool is_far_from_edges(const std::vector<Triangle>& triangles, const Vector3& pl
 // Plates all round a lamp in a ball; places along the twelve seams of the six faces, and anywhere.
 TEST_F(LampMapsTest, SeamsOfFacesAreNotToBeSeen)
 {
-    Numbers numbers(6);
+    RandomVectors random(6);
     Scene scene({.size = 128});
     for (int i = 0; i < 60; ++i) {
-        const Vector3 middle = normalized(numbers.vector()) * (20.0 + 10.0 * numbers.next());
-        scene.add(plate(middle, numbers.vector() * 8.0, numbers.vector() * 8.0));
+        const Vector3 middle = normalized(random.vector()) * (20.0 + 10.0 * random.number());
+        scene.add(plate(middle, random.vector() * 8.0, random.vector() * 8.0));
     }
     scene.update({{}});
     std::vector<Place> places;
     for (int i = 0; i < 6000; ++i) {
-        Vector3 direction = numbers.vector();
-        const double aside = 1.0 + 3.0 * texel(scene.maps) * numbers.next();
+        Vector3 direction = random.vector();
+        const double aside = 1.0 + 3.0 * texel(scene.maps) * random.number();
         if (i % 3 == 0)
             direction = {direction.x > 0.0 ? 1.0 : -1.0, direction.y > 0.0 ? aside : -aside, direction.z};
         if (i % 3 == 1)
@@ -427,16 +397,15 @@ TEST_F(LampMapsTest, AnswersTheSameWhereverOnAPlanetTheSceneIs)
 {
     std::vector<std::vector<float>> all;
     for (const Vector3& offset_m : {Vector3{}, Vector3{4.1e6, -3.3e6, 3.6e6}}) {
-        Numbers numbers(8);
+        RandomVectors random(8);
         Scene scene;
         scene.eye_m = offset_m + Vector3{30.0, 40.0, 10.0};
         for (int i = 0; i < 40; ++i)
-            scene.add(
-                plate(offset_m + numbers.vector() * 30.0, numbers.vector() * 8.0, numbers.vector() * 8.0));
+            scene.add(plate(offset_m + random.vector() * 30.0, random.vector() * 8.0, random.vector() * 8.0));
         scene.update({{.position_m = offset_m + Vector3{1.0, 2.0, 3.0}}});
         std::vector<Place> places;
         for (int i = 0; i < 2000; ++i)
-            places.push_back({offset_m + numbers.vector() * 40.0, numbers.vector()});
+            places.push_back({offset_m + random.vector() * 40.0, random.vector()});
         all.push_back(scene.visible(places));
     }
     // A float's last bit decides a place that lies on an edge.

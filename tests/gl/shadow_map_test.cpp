@@ -1,11 +1,11 @@
 #include "gl/gl_test.h"
+#include "gl/triangle_casters.h"
 
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/framebuffer.h>
 #include <duskline/gl/program.h>
 #include <duskline/gl/read_back.h>
 #include <duskline/gl/shadow_map.h>
-#include <duskline/gl/vertex_array.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +23,6 @@ Vector3 towards(double azimuth_deg, double altitude_deg)
     const auto [east, north] = sine_cosine(Angle::from_degrees(azimuth_deg));
     return {east * cosine, north * cosine, sine};
 }
-
-constexpr const char* kCasters = R"(#version 430 core
-layout(location = 0) in vec3 position;
-uniform mat4 to_clip;
-void main() { gl_Position = to_clip * vec4(position, 1.0); }
-)";
 
 constexpr const char* kAsk = R"(#version 430 core
 #include "shadow_map.glsl"
@@ -55,7 +49,6 @@ struct Place {
 };
 
 using Answer = std::array<float, 4>; // lit, and the overlay's colour
-using Triangle = std::array<Vector3, 3>;
 
 // A rectangle, its front upwards.
 std::vector<Triangle> plate(const Vector3& low, const Vector3& high)
@@ -67,37 +60,17 @@ std::vector<Triangle> plate(const Vector3& low, const Vector3& high)
 
 // Things that cast shadows, and a map of them.
 struct Scene {
-    explicit Scene(const ShadowMapOptions& options) : map(sources, options), casters(casters_program())
+    explicit Scene(const ShadowMapOptions& options) : map(sources, options)
     {
         ask_sources.add("ask.comp.glsl", kAsk);
         ask.emplace(ask_sources, ProgramDescription{{"ask.comp.glsl"}, map.defines()});
-    }
-
-    static Program casters_program()
-    {
-        ShaderSources own;
-        own.add("casters.vert.glsl", kCasters);
-        return {own, {{"casters.vert.glsl"}}};
     }
 
     std::size_t update(const ShadowView& view)
     {
         eye_m = view.eye_m;
         return map.update(view, [&](const ShadowBox& box) {
-            std::vector<float> corners;
-            for (const Triangle& triangle : triangles)
-                for (const Vector3& corner : triangle) {
-                    const Vector3 p = corner - box.centre_m;
-                    corners.insert(corners.end(), {static_cast<float>(p.x), static_cast<float>(p.y),
-                                                   static_cast<float>(p.z)});
-                }
-            Buffer buffer;
-            buffer.upload(corners);
-            VertexArray vertices;
-            vertices.set_floats(0, buffer, 3, 3 * sizeof(float));
-            casters.use();
-            casters.set_matrix("to_clip", box_to_clip(box, box.centre_m));
-            vertices.draw(VertexArray::Shape::triangles, 0, corners.size() / 3);
+            casters.draw(triangles, box_to_clip(box, box.centre_m), box.centre_m);
         });
     }
 
@@ -133,7 +106,7 @@ struct Scene {
     ShaderSources sources;
     ShaderSources ask_sources;
     ShadowMap map;
-    Program casters;
+    TriangleCasters casters;
     std::optional<Program> ask;
     std::vector<Triangle> triangles;
     Vector3 eye_m;

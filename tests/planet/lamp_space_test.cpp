@@ -1,3 +1,5 @@
+#include "random_vectors.h"
+
 #include <duskline/geometry/cross_product.h>
 #include <duskline/planet/lamp_space.h>
 
@@ -5,21 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace duskline {
 namespace {
 
 using namespace angle_literals;
-
-class Numbers {
-public:
-    double next() { return static_cast<double>(random_()) / 4294967295.0 * 2.0 - 1.0; }
-    Vector3 vector() { return {next(), next(), next()}; }
-
-private:
-    std::mt19937 random_{9};
-};
 
 bool holds(const LampFace& face, const Vector3& place_m)
 {
@@ -37,16 +29,16 @@ bool holds(const OrientedBox& box, const Vector3& place_m)
 
 TEST(LampSpace, HoldsAllThatAFaceMaySee)
 {
-    Numbers numbers;
+    RandomVectors random(9);
     for (const double half_deg : {20.0, 180.0}) {
-        const SceneLamp lamp = {.position_m = numbers.vector() * 50.0,
-                                .direction = numbers.vector(),
+        const SceneLamp lamp = {.position_m = random.vector() * 50.0,
+                                .direction = random.vector(),
                                 .half_angle = Angle::from_degrees(half_deg),
                                 .range_m = 100.0};
         for (const LampFace& face : lamp_faces(lamp, 64)) {
             int seen = 0;
             for (int i = 0; i < 3000; ++i) {
-                const Vector3 place_m = lamp.position_m + numbers.vector() * 100.0;
+                const Vector3 place_m = lamp.position_m + random.vector() * 100.0;
                 if (!holds(face, place_m))
                     continue;
                 ++seen;
@@ -59,26 +51,26 @@ TEST(LampSpace, HoldsAllThatAFaceMaySee)
 
 TEST(LampSpace, LeavesOutOnlyBoxesThatAFaceCannotSee)
 {
-    Numbers numbers;
+    RandomVectors random(9);
     int left_out = 0;
     int taken = 0;
     for (int i = 0; i < 3000; ++i) {
-        const SceneLamp lamp = {.position_m = numbers.vector() * 10.0, .range_m = 60.0};
+        const SceneLamp lamp = {.position_m = random.vector() * 10.0, .range_m = 60.0};
         const LampFace face = lamp_faces(lamp, 64).at(static_cast<std::size_t>(i) % 6);
-        const Vector3 x = normalized(numbers.vector());
-        const Vector3 y = normalized(cross(x, numbers.vector()));
-        const double half_m = 10.0 * (1.0 + numbers.next());
+        const Vector3 x = normalized(random.vector());
+        const Vector3 y = normalized(cross(x, random.vector()));
+        const double half_m = 10.0 * (1.0 + random.number());
         const OrientedBox box = {
-            numbers.vector() * 100.0, {x, y, cross(x, y)}, {half_m, 0.5 * half_m, half_m}};
+            random.vector() * 100.0, {x, y, cross(x, y)}, {half_m, 0.5 * half_m, half_m}};
         if (may_cast_into(face, box)) {
             ++taken;
             continue;
         }
         ++left_out;
         for (int k = 0; k < 60; ++k)
-            EXPECT_FALSE(holds(face, box.centre_m + x * (half_m * numbers.next())
-                                         + y * (0.5 * half_m * numbers.next())
-                                         + box.axes[2] * (half_m * numbers.next())));
+            EXPECT_FALSE(holds(face, box.centre_m + x * (half_m * random.number())
+                                         + y * (0.5 * half_m * random.number())
+                                         + box.axes[2] * (half_m * random.number())));
     }
     EXPECT_GT(left_out, 1500);
     EXPECT_GT(taken, 100);

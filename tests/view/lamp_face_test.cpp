@@ -1,3 +1,5 @@
+#include "random_vectors.h"
+
 #include <duskline/geometry/cross_product.h>
 #include <duskline/view/lamp_face.h>
 
@@ -5,21 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace duskline {
 namespace {
 
 using namespace angle_literals;
-
-class Numbers {
-public:
-    double next() { return static_cast<double>(random_()) / 4294967295.0 * 2.0 - 1.0; }
-    Vector3 vector() { return {next(), next(), next()}; }
-
-private:
-    std::mt19937 random_{7};
-};
 
 // Column and row of the map, -1 to 1, depth, and the distance ahead.
 struct Seen {
@@ -47,13 +39,13 @@ bool holds(const Seen& seen, double share = 1.0)
 
 TEST(LampFace, SixSeeAllRoundAndEachAsMuchMoreThanItsShareAsItSays)
 {
-    Numbers numbers;
+    RandomVectors random(7);
     const Vector3 lamp_m = {100.0, -2000.0, 30.0};
     const std::vector<LampFace> faces = lamp_faces({.position_m = lamp_m}, 512);
     ASSERT_EQ(faces.size(), 6U);
     constexpr double share = 504.0 / 512.0;
     for (int i = 0; i < 2000; ++i) {
-        const Vector3 direction = numbers.vector();
+        const Vector3 direction = random.vector();
         const auto holders = std::ranges::count_if(faces, [&](const LampFace& face) {
             return holds(seen(face, lamp_m + direction * 40.0, {99.0, -1990.0, 0.0}), share + 1e-6);
         });
@@ -69,9 +61,9 @@ TEST(LampFace, SixSeeAllRoundAndEachAsMuchMoreThanItsShareAsItSays)
 
 TEST(LampFace, OneHoldsTheBeamOfASearchlight)
 {
-    Numbers numbers;
+    RandomVectors random(7);
     for (const double half_deg : {3.0, 25.0, 60.0}) {
-        const Vector3 axis = numbers.vector();
+        const Vector3 axis = random.vector();
         const SceneLamp lamp = {.position_m = {5.0, 6.0, 7.0},
                                 .direction = axis * 12.0,
                                 .half_angle = Angle::from_degrees(half_deg)};
@@ -79,7 +71,7 @@ TEST(LampFace, OneHoldsTheBeamOfASearchlight)
         ASSERT_EQ(faces.size(), 1U);
         const double cosine = sine_cosine(lamp.half_angle).cosine;
         for (int i = 0; i < 3000; ++i) {
-            const Vector3 direction = normalized(numbers.vector());
+            const Vector3 direction = normalized(random.vector());
             if (dot(direction, normalized(axis)) >= cosine) {
                 EXPECT_TRUE(holds(seen(faces[0], lamp.position_m + direction * 70.0, {0.0, 0.0, 0.0}),
                                   248.0 / 256.0 + 1e-6));
@@ -102,14 +94,14 @@ TEST(LampFace, DepthIsMetresOverTheDistanceAheadWhereverTheOriginIs)
 
 TEST(LampFace, LeavesOutOnlyBoxesItCannotSee)
 {
-    Numbers numbers;
+    RandomVectors random(7);
     int left_out = 0;
     int taken = 0;
     for (int i = 0; i < 3000; ++i) {
-        const SceneLamp lamp = {.position_m = numbers.vector() * 10.0, .range_m = 60.0};
+        const SceneLamp lamp = {.position_m = random.vector() * 10.0, .range_m = 60.0};
         const LampFace face = lamp_faces(lamp, 64).at(static_cast<std::size_t>(i) % 6);
-        const Vector3 middle_m = numbers.vector() * 100.0;
-        const Vector3 half_m = Vector3{1.1, 1.1, 1.1} * (10.0 * (1.0 + numbers.next()));
+        const Vector3 middle_m = random.vector() * 100.0;
+        const Vector3 half_m = Vector3{1.1, 1.1, 1.1} * (10.0 * (1.0 + random.number()));
         const Box box = {middle_m - half_m, middle_m + half_m};
         if (may_cast_into(face, box)) {
             ++taken;
@@ -117,7 +109,7 @@ TEST(LampFace, LeavesOutOnlyBoxesItCannotSee)
         }
         ++left_out;
         for (int k = 0; k < 60; ++k) {
-            const Vector3 n = numbers.vector();
+            const Vector3 n = random.vector();
             const Vector3 p = middle_m + Vector3{half_m.x * n.x, half_m.y * n.y, half_m.z * n.z};
             EXPECT_FALSE(length(p - lamp.position_m) < 60.0 && holds(seen(face, p, lamp.position_m)));
         }
