@@ -1,6 +1,6 @@
 #include "planet_lamps.h"
 
-#include <duskline/planet/lamp_space.h>
+#include <duskline/planet/caster_space.h>
 
 #include <algorithm>
 

@@ -1,5 +1,7 @@
 #include "planet_scene.h"
 
+#include <duskline/planet/caster_space.h>
+
 #include <limits>
 
 namespace duskline::planet_app {
@@ -13,15 +15,6 @@ gl::PlanetView view_of(const Globe& globe, const PlanetState& state, std::size_t
             .width = width,
             .height = height,
             .show_made = state.show_made};
-}
-
-// The part of space that a shadow box and its casters take.
-OrientedBox space_of(const ShadowBox& box)
-{
-    const double half_m = box.side_m / 2.0;
-    return {box.centre_m + box.axes.towards_light * (box.caster_reach_m / 2.0),
-            {box.axes.right, box.axes.up, box.axes.towards_light},
-            {half_m, half_m, half_m + box.caster_reach_m / 2.0}};
 }
 
 } // namespace
@@ -91,7 +84,7 @@ void PlanetScene::probe_lamp(const PlanetState& state, std::size_t width, std::s
 
 void PlanetScene::draw_casters(const Vector3& eye_m, const ShadowBox& box)
 {
-    renderer_.draw_depth(eye_m, box_to_clip(box, eye_m), quadtree_.casters(space_of(box), box.texel_m));
+    renderer_.draw_depth(eye_m, box_to_clip(box, eye_m), casters_of(quadtree_, box));
 }
 
 } // namespace duskline::planet_app

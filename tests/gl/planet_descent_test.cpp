@@ -4,6 +4,7 @@
 #include <duskline/gl/framebuffer.h>
 #include <duskline/gl/planet_renderer.h>
 #include <duskline/gl/read_back.h>
+#include <duskline/planet/caster_space.h>
 #include <duskline/planet/planet_flight.h>
 #include <duskline/planet/planet_quadtree.h>
 #include <duskline/planet/planet_shadows.h>
@@ -83,14 +84,6 @@ void add_change(const Frame& a, const Frame& b, Change& change)
             ++change.changed;
             change.changed_apart += beside_edge(a, row, column) || beside_edge(b, r, c) ? 0U : 1U;
         }
-}
-
-OrientedBox space_of(const ShadowBox& box)
-{
-    const double half_m = box.side_m / 2.0;
-    return {box.centre_m + box.axes.towards_light * (box.caster_reach_m / 2.0),
-            {box.axes.right, box.axes.up, box.axes.towards_light},
-            {half_m, half_m, half_m + box.caster_reach_m / 2.0}};
 }
 
 // What a map that is drawn anew changes while the eye stays: of the ground that faces the sun.
@@ -278,7 +271,7 @@ private:
                                  .curvature_per_m = 1.0 / globe.equatorial_radius_m,
                                  .towards_light = light_.to_sun};
         maps_drawn_ += map_->update(view, [&](const ShadowBox& box) {
-            renderer_.draw_depth(eye_m, box_to_clip(box, eye_m), quadtree_.casters(space_of(box)));
+            renderer_.draw_depth(eye_m, box_to_clip(box, eye_m), casters_of(quadtree_, box));
         });
         return by_the_map();
     }

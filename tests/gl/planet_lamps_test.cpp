@@ -5,7 +5,7 @@
 #include <duskline/geometry/invalid_input.h>
 #include <duskline/gl/framebuffer.h>
 #include <duskline/gl/read_back.h>
-#include <duskline/planet/lamp_space.h>
+#include <duskline/planet/caster_space.h>
 #include <duskline/planet/planet_sight.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "random_vectors.h"
 
 #include <duskline/geometry/cross_product.h>
-#include <duskline/planet/lamp_space.h>
+#include <duskline/planet/caster_space.h>
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ bool holds(const OrientedBox& box, const Vector3& place_m)
     return distance_m(place_m, box) < 1e-9;
 }
 
-TEST(LampSpace, HoldsAllThatAFaceMaySee)
+TEST(CasterSpace, HoldsAllThatAFaceMaySee)
 {
     RandomVectors random(9);
     for (const double half_deg : {20.0, 180.0}) {
@@ -49,7 +49,30 @@ TEST(LampSpace, HoldsAllThatAFaceMaySee)
     }
 }
 
-TEST(LampSpace, LeavesOutOnlyBoxesThatAFaceCannotSee)
+TEST(CasterSpace, IsAShadowBoxAndWhatCastsIntoItFromTheLight)
+{
+    RandomVectors random(10);
+    for (int i = 0; i < 200; ++i) {
+        const ShadowBox box = {.axes = light_axes(normalized(random.vector())),
+                               .centre_m = random.vector() * 100.0,
+                               .side_m = 20.0,
+                               .caster_reach_m = 50.0};
+        const auto at = [&](double right, double up, double towards_light) {
+            return box.centre_m + box.axes.right * right + box.axes.up * up
+                   + box.axes.towards_light * towards_light;
+        };
+        const double x = 10.0 * random.number();
+        const double y = 10.0 * random.number();
+        EXPECT_TRUE(holds(space_of(box), at(x, y, -9.9)));
+        EXPECT_TRUE(holds(space_of(box), at(x, y, 59.9)));
+        EXPECT_FALSE(holds(space_of(box), at(x, y, -10.1)));
+        EXPECT_FALSE(holds(space_of(box), at(x, y, 60.1)));
+        EXPECT_FALSE(holds(space_of(box), at(10.1, y, 0.0)));
+        EXPECT_FALSE(holds(space_of(box), at(x, -10.1, 0.0)));
+    }
+}
+
+TEST(CasterSpace, LeavesOutOnlyBoxesThatAFaceCannotSee)
 {
     RandomVectors random(9);
     int left_out = 0;

@@ -1,8 +1,21 @@
-#include <duskline/planet/lamp_space.h>
+#include <duskline/planet/caster_space.h>
 
 #include <algorithm>
 
 namespace duskline {
+
+OrientedBox space_of(const ShadowBox& box)
+{
+    const double half_m = box.side_m / 2.0;
+    return {box.centre_m + box.axes.towards_light * (box.caster_reach_m / 2.0),
+            {box.axes.right, box.axes.up, box.axes.towards_light},
+            {half_m, half_m, half_m + box.caster_reach_m / 2.0}};
+}
+
+std::vector<PlanetPatch> casters_of(const PlanetQuadtree& quadtree, const ShadowBox& box)
+{
+    return quadtree.casters(space_of(box), box.texel_m);
+}
 
 OrientedBox space_of(const LampFace& face)
 {
