@@ -95,6 +95,8 @@ public:
 
     const std::vector<DescentFigures>& figures() const { return figures_; }
     const FrameTimes& load_ms() const { return load_ms_; }
+    /// Of drawing lamps' maps; nothing without lamps.
+    const FrameTimes* lamps_ms() const { return first_.lamps.empty() ? nullptr : &lamps_ms_; }
 
 private:
     Execution execution() const { return {.threads = options_.run.threads, .progress = {}}; }
@@ -130,6 +132,7 @@ private:
     void note(std::size_t band, const std::vector<FrameCost>& costs)
     {
         load_ms_.note(band, costs.front().load_ms);
+        lamps_ms_.note(band, costs.front().lamps_ms);
         const auto none = std::ranges::find(variants_, PlanetTechnique::none, &ShadowVariant::technique);
         const FrameCost* without_shadows =
             none != variants_.end() ? &costs[static_cast<std::size_t>(none - variants_.begin())] : nullptr;
@@ -172,6 +175,7 @@ private:
     PlanetState first_;
     window::PictureTarget target_;
     FrameTimes load_ms_;
+    FrameTimes lamps_ms_;
     std::vector<DescentFigures> figures_; ///< of the variants
 };
 
@@ -208,15 +212,17 @@ void report_way(cli::Report& report, const PlanetOptions& options, const std::st
                             *options.flydown_frames, options.from_km, options.to_m, renderer));
 }
 
-void report_loading(cli::Report& report, const FrameTimes& load_ms)
+// What is done once a frame for all techniques.
+void report_shared(cli::Report& report, const char* name, const std::string& what, const FrameTimes& ms)
 {
-    report.json()["load_ms"] = load_ms.as_json();
-    report.json()["bands"] = bands_as_json(load_ms);
-    const auto all = load_ms.as_json();
-    report.line(
-        fmt::format("Tiles are chosen and read once a frame for all: median {:.1f} ms, 99 of 100 frames "
-                    "at most {:.1f} ms",
-                    all["median"].get<double>(), all["p99"].get<double>()));
+    const auto all = ms.as_json();
+    report.json()[name] = all;
+    report.line(fmt::format("{} once a frame for all: median {:.1f} ms, 99 of 100 frames at most {:.1f} ms",
+                            what, all["median"].get<double>(), all["p99"].get<double>()));
+}
+
+void report_heading(cli::Report& report)
+{
     report.line(fmt::format("{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}",
                             "median, ms", "frame", "99 %", "cast", "mean", "99 %", "draw", "99 %", "shadows",
                             "wrong", "apart"));
@@ -262,7 +268,11 @@ void fly_down(const PlanetOptions& options, cli::Report& report)
     report_way(report, options, info.renderer);
     descent.compare();
     descent.fly();
-    report_loading(report, descent.load_ms());
+    report_shared(report, "load_ms", "Tiles are chosen and read", descent.load_ms());
+    report.json()["bands"] = bands_as_json(descent.load_ms());
+    if (const FrameTimes* lamps_ms = descent.lamps_ms())
+        report_shared(report, "lamps_ms", "Maps of lamps are drawn", *lamps_ms);
+    report_heading(report);
     for (const DescentFigures& figures : descent.figures())
         report_flight(report, figures.as_json());
     descent.lamp_errors().add_to(report);

@@ -225,6 +225,7 @@ TEST_F(PlanetApp, FindsTheShadowsOfLampsAsRaysDo)
                                    "--report",      "report.json"});
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
     const auto report = nlohmann::json::parse(read_file("report.json"));
+    EXPECT_GT(report["lamps_ms"]["p99"], 0.0);
     ASSERT_EQ(report["lamps"].size(), 2U);
     for (const auto& lamp : report["lamps"]) {
         EXPECT_THAT(finished.out, HasSubstr(lamp["lamp"].get<std::string>()));
