@@ -1,3 +1,4 @@
+#include "gl/ask_shader.h"
 #include "gl/gl_test.h"
 #include "gl/triangle_casters.h"
 #include "random_vectors.h"
@@ -101,15 +102,9 @@ struct Scene {
                 asked.push_back(
                     {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0f});
         Buffer block;
-        Buffer questions;
-        Buffer replies(places.size() * sizeof(Answer));
-        questions.upload(asked);
-        questions.bind_as_storage(4);
-        replies.bind_as_storage(5);
         maps.bind(maps.block(eye_m), block);
         ask.set("lamp", lamp);
-        dispatch(ask, places.size());
-        return replies.download<Answer>();
+        return answers_of(ask, asked, places.size());
     }
 
     std::vector<float> visible(const std::vector<Place>& places, int lamp = 0) const

@@ -1,3 +1,4 @@
+#include "gl/ask_shader.h"
 #include "gl/gl_test.h"
 #include "gl/triangle_casters.h"
 
@@ -85,14 +86,8 @@ struct Scene {
                              static_cast<float>(place.normal.z), 0.0f});
         }
         Buffer block;
-        Buffer questions;
-        Buffer replies(places.size() * sizeof(Answer));
-        questions.upload(asked);
-        questions.bind_as_storage(4);
-        replies.bind_as_storage(5);
         map.bind(map.block(eye_m, look), block);
-        dispatch(*ask, places.size());
-        return replies.download<Answer>();
+        return answers_of(*ask, asked, places.size());
     }
 
     std::vector<float> lit(const std::vector<Place>& places, const ShadowMapLook& look = {}) const

@@ -375,6 +375,13 @@ TEST(PlanetQuadtree, LooksAroundWhenAsked)
     EXPECT_TRUE(quadtree.settled());
 }
 
+// Four kilometres each way.
+OrientedBox box_around_eye(const Globe& globe, const PlanetCamera& camera)
+{
+    const LocalFrame frame = local_frame(globe, normalized(camera.eye_m));
+    return {camera.eye_m, {frame.east, frame.north, frame.up}, {4000.0, 4000.0, 4000.0}};
+}
+
 TEST(PlanetQuadtree, CastersCoverTheLightBoxOnceAndAsFinelyAsDrawn)
 {
     const PlanetTerrain terrain = small_planet();
@@ -382,8 +389,7 @@ TEST(PlanetQuadtree, CastersCoverTheLightBoxOnceAndAsFinelyAsDrawn)
     const PlanetCamera camera =
         kept_above_ground(camera_over(terrain.globe(), {20_deg, 10_deg}, 0.0), terrain, 50.0);
     quadtree.update(camera, kWidth, kHeight, kAll);
-    const LocalFrame frame = local_frame(terrain.globe(), normalized(camera.eye_m));
-    const OrientedBox box = {camera.eye_m, {frame.east, frame.north, frame.up}, {4000.0, 4000.0, 4000.0}};
+    const OrientedBox box = box_around_eye(terrain.globe(), camera);
     const std::vector<PlanetPatch> casters = quadtree.casters(box);
     const auto times_at = [&](const Vector3& direction) {
         return std::ranges::count_if(casters, [&](const PlanetPatch& patch) {
@@ -394,7 +400,7 @@ TEST(PlanetQuadtree, CastersCoverTheLightBoxOnceAndAsFinelyAsDrawn)
     std::uniform_real_distribution<double> side(-3900.0, 3900.0);
     for (int i = 0; i < 500; ++i) {
         const Vector3 direction =
-            normalized(camera.eye_m + frame.east * side(random) + frame.north * side(random));
+            normalized(camera.eye_m + box.axes[0] * side(random) + box.axes[1] * side(random));
         EXPECT_EQ(times_at(direction), 1);
     }
     EXPECT_EQ(times_at(normalized(camera.eye_m) * -1.0), 0);
@@ -452,8 +458,7 @@ TEST(PlanetQuadtree, SkipsCornersOfCastersThatAreFinerThanTheTexels)
     const PlanetCamera camera =
         kept_above_ground(camera_over(terrain.globe(), {20_deg, 10_deg}, 0.0), terrain, 50.0);
     quadtree.update(camera, kWidth, kHeight, kAll);
-    const LocalFrame frame = local_frame(terrain.globe(), normalized(camera.eye_m));
-    const OrientedBox box = {camera.eye_m, {frame.east, frame.north, frame.up}, {4000.0, 4000.0, 4000.0}};
+    const OrientedBox box = box_around_eye(terrain.globe(), camera);
     const std::vector<PlanetPatch> fine = quadtree.casters(box);
     const double texel_m = 4.0 * spacing_m(terrain.globe(), terrain.deepest_level());
     const std::vector<PlanetPatch> coarse = quadtree.casters(box, texel_m);
